@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Interface between the parts of coastal water.  coastal_init.c, coastal_tables.c and
- * coastal_map.c make the tables; coastal_water.c reads them. */
+ * coastal_map.c make the tables; coastal_water.c and coastal_surf.c read them. */
 #ifndef TP_WAVES_COASTAL_TABLES_H
 #define TP_WAVES_COASTAL_TABLES_H
 #include "base/base.h"
@@ -119,6 +119,15 @@ tp_fx tp_noise(uint32_t u_q16, uint32_t v_q16, uint32_t seed);
 /* Returns the depth, m, up to which crests foam by breaking alone.  In
  * deeper water crests foam where the surface is compressed. */
 tp_fx tp_coastal_breaking_foam_depth(const tp_coastal_water *coastal);
+
+/* -- means over time and noise: coastal_surf.c ---------------------------------------- */
+
+/* The surf at a depth: mean of tp_coastal_point.breaking over its most, 16.16, below 1; and
+ * the mean of |y|, m, an upper bound. */
+typedef struct {
+    tp_fx breaking, lift;
+} tp_coastal_surf;
+tp_coastal_surf tp_coastal_mean_surf(const tp_coastal_water *coastal, tp_fx depth);
 
 /* -- construction: coastal_tables.c, coastal_map.c ----------------------------------- */
 

@@ -58,6 +58,7 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .per_square = random_below(&chance, 6000) + 100,
         .way_x = tp_sin(way) >> 16,
         .way_z = tp_cos(way) >> 16,
+        .floor = shore ? TP_FOAM_BEACH : 0,
         .shore_x = shore ? tp_sin(way) >> 16 : 0,
         .shore_z = shore ? -tp_cos(way) >> 16 : 0,
         .stretch = CELLS * 32768 / 16 * 7,

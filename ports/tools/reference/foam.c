@@ -3,6 +3,7 @@
 #include "foam.h"
 #include "features/foam/foam.h"
 #include "map.h"
+#include "waves/coastal_tables.h"
 #include "world/pools.h"
 
 #define OPAQUE (15 / 16.0)      /* largest opacity */
@@ -37,10 +38,10 @@ static double lattice_origin(int64_t drift, tp_fx speed, double back)
 
 /* Sets the cover beyond the window, by the field's mean: half of the mean on all water but
  * the waves' fronts, less if the mean is small; and 1.375 to 1.25 of it by the slopes. */
-static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam)
+static void set_far_foam(ref_foam *f, const tp_world *world, double mean)
 {
     const tp_deep_water *deep = &world->deep;
-    const double mean = tp_foam_mean(foam) / 65280.0, old = fmin(1, mean / OLD_MEAN) / 2;
+    const double old = fmin(1, mean / OLD_MEAN) / 2;
     double square = 0, x = 0, z = 0;
 
     for (uint32_t i = 0; i < deep->count; i++) {
@@ -55,6 +56,32 @@ static void set_far_foam(ref_foam *f, const tp_world *world, const tp_foam *foam
     f->far_fresh = (1.375 - old / 2) * mean / pow(square, 2);
     f->way_x = x / hypot(x, z);
     f->way_z = z / hypot(x, z);
+    f->slope = 2 * sqrt(square);
+}
+
+/* Sets the cover over a map of the floor: the means are the world's, as data. */
+static void set_surf(ref_foam *f, const tp_world *world, const tp_scene *scene,
+                     const tp_foam *foam)
+{
+    const tp_coastal_water *map = tp_foam_map(world);
+    const tp_deep_water *deep = &world->deep;
+    double most = 0;
+    tp_foam_maker make;
+
+    f->mapped = true;
+    f->deep = ref_number(tp_coastal_breaking_foam_depth(map));
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const double ticks = 1 / ldexp((double)deep->swell[i].turns_tick, -64);
+        if (ref_number(deep->swell[i].amplitude) > most)
+            f->swing = fmin(1, ticks / TP_TICKS_PER_SECOND
+                               / (4 * ref_number(scene->foam.fade)));
+        most = fmax(most, ref_number(deep->swell[i].amplitude));
+    }
+    tp_foam_maker_begin(&make, (tp_foam *)(uintptr_t)foam, world, scene);
+    for (int n = 0; n <= REF_SURF; n++)
+        f->surf[n] = tp_foam_maker_mean_cover(
+            &make, (tp_fx)(2 * f->deep * n / REF_SURF * 65536 + 1),
+            foam->visits / TP_FOAM_TICKS) / 255.0;
 }
 
 /* Sets the direction of a straight beach if its water line crosses the window. */
@@ -89,11 +116,12 @@ void ref_foam_open(ref_scene *s, const tp_world *world)
         .drift_z = lattice_origin(foam->drift_z, map->drift_z, back),
         .fades = !tp_world_pool(world),
     };
-    if (s->foam.fades && !tp_has_floor(s->scene)) {
-        set_far_foam(&s->foam, world, foam);
-    } else if (s->foam.fades && !s->assets->floor) {
+    if (s->foam.fades && tp_has_floor(s->scene) && !s->assets->floor)
         set_shore(&s->foam, s->scene);
-    }
+    else if (s->foam.fades)
+        set_far_foam(&s->foam, world, tp_foam_open_mean(foam, world) / 65280.0);
+    if (tp_foam_map(world))
+        set_surf(&s->foam, world, s->scene, foam);
     if (s->assets->foam)
         make_ranks(&s->foam, s->assets->foam);
 }
@@ -155,15 +183,42 @@ static double shore_cover(const ref_foam *f, double x0, double z0)
     return mix(before, here, fmin(1, left / (stretch / 8)));
 }
 
-/* Cover of the water beyond the window. */
-static double far_cover(const ref_foam *f, const ref_water *w)
+/* Cover of open water: old foam but on the waves' fronts, and fresh foam by the slope. */
+static double open_cover(const ref_foam *f, const ref_water *w)
 {
     const double square = w->slope_x * w->slope_x + w->slope_z * w->slope_z;
     const double up = w->slope_x * f->way_x + w->slope_z * f->way_z;
 
+    return up < 0 ? 0 : fmin(f->far_old + f->far_fresh * square * up * up, FAR_MOST);
+}
+
+/* Cover over a map of the floor: the mean of the surf at the depth, more on the waves'
+ * backs and less on their fronts, and the share of open water. */
+static double surf_cover(const ref_scene *s, const ref_water *w)
+{
+    const ref_foam *f = &s->foam;
+    const double depth = ref_coastal_floor(s->surface.coastal, w->x0, w->z0).depth;
+    const double at = ref_clamp(depth / (2 * f->deep), 0, 1) * REF_SURF;
+    const int n = at < REF_SURF ? (int)at : REF_SURF - 1;
+    const double up = w->slope_x * f->way_x + w->slope_z * f->way_z;
+    const double back = f->slope > 0 ? ref_clamp(up / f->slope, -1, 1) : 0;
+
+    if (depth <= 0)
+        return 0;
+    return fmin(1, mix(f->surf[n], f->surf[n + 1], at - n) * (1 + f->swing * back)
+                   + ref_clamp(depth / f->deep - 1, 0, 1) * open_cover(f, w));
+}
+
+/* Cover of the water beyond the window. */
+static double far_cover(const ref_scene *s, const ref_water *w)
+{
+    const ref_foam *f = &s->foam;
+
+    if (f->mapped)
+        return surf_cover(s, w);
     if (f->shore_x != 0 || f->shore_z != 0)
         return shore_cover(f, w->x0, w->z0);
-    return up < 0 ? 0 : fmin(f->far_old + f->far_fresh * square * up * up, FAR_MOST);
+    return open_cover(f, w);
 }
 
 /* -- bubbles ------------------------------------------------------------------------- */
@@ -222,7 +277,7 @@ double ref_foam_opacity(const ref_scene *s, const ref_water *w)
     if (!foam->cover)
         return 0;
     cover = ref_foam_cover(foam, w->x0, w->z0, &weight);
-    cover = mix(far_cover(foam, w), cover, weight);
+    cover = mix(far_cover(s, w), cover, weight);
     if (cover <= 0)
         return 0;
     if (s->assets->foam)

@@ -30,6 +30,8 @@ typedef struct {
     double x0, x1, z0, z1, depth, rim;
 } ref_tank;
 
+enum { REF_SURF = 1024 };
+
 /* Foam: cover over rest positions of the water. */
 typedef struct {
     const uint8_t *cover;       /* torus of cells x cells bytes; NULL: no foam */
@@ -42,6 +44,11 @@ typedef struct {
                                  * the slope's fourth power */
     double  way_x, way_z;       /* unit vector of the waves' mean way */
     double  shore_x, shore_z;   /* direction of a straight beach; both 0: none */
+    bool    mapped;             /* the depth over a map gives the far cover, by ... */
+    double  surf[REF_SURF + 1]; /* ... its mean at even depths from 0 to 2 `deep` */
+    double  deep;               /* depth from which on crests of open water foam, m */
+    double  swing, slope;       /* share of the mean between waves' backs and fronts; slope
+                                 * with all of the swing */
     double  rank[256];          /* share of darker texels, by green, 0..1 */
     double  mean;               /* rank of the texture's mean */
 } ref_foam;

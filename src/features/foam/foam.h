@@ -9,8 +9,11 @@
  *
  *     foam_module.c    the module: its state, window, fading and drift
  *     foam_sources.c   the foam made in a tick
+ *     foam_access.c    cover by place, and means
  *     foam_drawing.c   the data of a frame
  *     foam_stage.c     the span stages
+ *     foam_surf.c      cover beyond the window over a map of the floor
+ *     foam_cover.h     cover beyond the window over open water
  */
 #ifndef TP_FEATURES_FOAM_FOAM_H
 #define TP_FEATURES_FOAM_FOAM_H
@@ -32,8 +35,19 @@ typedef struct {
     int32_t  seen[TP_FOAM_TICKS][2];    /* first_x, first_z at a slice's last visit */
     uint32_t visits;            /* ticks so far */
     uint32_t sum[TP_FOAM_TICKS];        /* cover of a slice's rows at its last visit */
-    uint32_t scratch;           /* byte offset of a row of positions; 0: none */
+    uint32_t scratch;           /* byte offset of a row of positions; 0: none.  Over a map
+                                 * of the floor a tp_foam_open follows the row */
 } tp_foam;
+
+/* Cover of the field's cells in open water over a map of the floor, and the shares 0..256 of
+ * their open water's cover that their depths leave: the mean is kept while the window has
+ * none. */
+typedef struct {
+    uint32_t sum, count;        /* count is below TP_FOAM_OPEN_COUNT, sum at most 4 counts */
+} tp_foam_open;
+
+#define TP_FOAM_OPEN_COUNT (1u << 21)
+#define TP_FOAM_OPEN_SHARE 64   /* cells of smaller shares do not count */
 
 /* Returns the cover 0..255 at a rest position, bilinear between cell centres; 0 outside. */
 uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z);
@@ -65,8 +79,24 @@ static inline uint32_t tp_foam_mod(int32_t i, uint32_t n)
     return (uint32_t)(m < 0 ? m + (int32_t)n : m);
 }
 
-/* Returns the mean cover of the field, 0..255 in Q8, as of each slice's last visit. */
+/* Returns the mean cover of the field, 0..255 in Q8, as of each slice's last visit; over a
+ * map of the floor the mean of its open water. */
 uint32_t tp_foam_mean(const tp_foam *foam);
+uint32_t tp_foam_open_mean(const tp_foam *foam, const tp_world *world);
+
+/* Returns the coast of a world with a map of the floor, where foam goes on beyond the
+ * window by depth; else NULL. */
+const tp_coastal_water *tp_foam_map(const tp_world *world);
+
+/* Returns e^(-8 / 60 / fade), Q24, the share of cover kept by a visit; a fade of 0.1 s or
+ * more. */
+uint32_t tp_foam_kept_share(tp_fx fade_seconds);
+
+static inline tp_foam_open *tp_foam_open_water(const tp_foam *foam)
+{
+    return (tp_foam_open *)((uintptr_t)foam + foam->scratch
+                            + foam->cells * sizeof(tp_vec3));
+}
 
 /* -- foam_sources.c ------------------------------------------------------------------ */
 
@@ -108,7 +138,19 @@ void tp_foam_maker_sample_previous_row(tp_foam_maker *m, uint32_t col, tp_fx x);
  * of columns.  `after_neighbour`: the last cell was the neighbour at x - cell. */
 uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour);
 
+/* Coastal water only.  Returns the mean cover 0..255 of water at a depth, m, by breaking
+ * and by the shore.  `visits`: age of the foam in visits of a cell; the mean grows with it
+ * from 0 on.  tp_foam_maker_open_share returns the share 0..256 of the cover of open water
+ * that is left there. */
+uint32_t tp_foam_maker_mean_cover(const tp_foam_maker *m, tp_fx depth, uint32_t visits);
+uint32_t tp_foam_maker_open_share(const tp_foam_maker *m, tp_fx depth);
+
+/* Over a map of the floor.  Returns the mean cover at (x, m->z), by the depth. */
+uint8_t tp_foam_map_mean(const tp_foam_maker *m, tp_fx x);
+
 /* -- data of the stages, in tp_run.mine ---------------------------------------------- */
+
+enum { TP_FOAM_BEACH = 1, TP_FOAM_MAP };
 
 typedef struct {
     const uint8_t *cover;       /* torus of cells x cells bytes */
@@ -124,15 +166,42 @@ typedef struct {
     uint32_t far_old;           /* cover of other water there, 0..255 */
     uint32_t per_square;        /* 1 over the mean square of the slope, Q32 over Q24 */
     int32_t  way_x, way_z;      /* unit vector of the waves' mean way, Q14 */
-    int32_t  shore_x, shore_z;  /* straight beach: its direction, Q14; both 0: none */
+    int32_t  shore_x, shore_z;  /* straight beach: its direction, Q14 */
     int32_t  stretch;           /* length of beach that repeats, m, 16.16 */
     const tp_texture *texture;  /* NULL: no texture */
     uint32_t repeats, drift_s, drift_t;     /* as in tp_layer */
     uint32_t wide_repeats, wide_drift_s, wide_drift_t;  /* four times as large */
     int32_t  lod;
-    int32_t  mean;              /* rank of the texture's mean */
+    int16_t  mean;              /* rank of the texture's mean */
+    uint16_t floor;             /* foam beyond the window over a floor, if far_fresh is 0:
+                                 * 0 none, TP_FOAM_BEACH, or TP_FOAM_MAP: a tp_foam_surf
+                                 * follows */
     uint8_t  rank[256];         /* share of darker texels, by green, 0..255 */
 } tp_shade_foam;
+
+/* Foam beyond the window over a map of the floor.  Means at the depths of the tables of
+ * coastal water, and cover of its open water as in tp_shade_foam. */
+typedef struct {
+    const tp_coastal_floor_node *node;      /* the map's, row by row */
+    uint32_t cols;
+    tp_fx    map_x, map_z;      /* its north-west node, m, ... */
+    uint32_t last_x, last_z;    /* ... and the way to the last node, m, 16.16, less one unit */
+    uint32_t per_step;          /* nodes per metre, Q16 over 16.16, Q24 */
+    tp_fx    deepest;           /* depth from which on there is no foam, m */
+    uint32_t open_fresh, open_old;
+    uint32_t per_slope;         /* 2^23 over the root of the waves' mean square, Q12 */
+    int32_t  swing;             /* share of the mean that waves add and take, 0..256 */
+    uint8_t  mean[TP_COASTAL_DEPTHS], open[TP_COASTAL_DEPTHS];  /* open: share, 0..255 */
+} tp_foam_surf;
+
+typedef struct {
+    tp_shade_foam foam;
+    tp_foam_surf  surf;
+} tp_shade_foam_mapped;
+
+/* Sets the data of surf; way and per_square of `foam` are set. */
+void tp_foam_surf_begin(tp_shade_foam_mapped *foam, const tp_foam *field,
+                        const tp_world *world, const tp_scene *scene);
 
 /* name, slopes bent by a ripple, glint below the foam */
 #define TP_FOAM_STAGES(X) \

@@ -91,6 +91,7 @@ static void set_shore(tp_shade_foam *f, const tp_scene *scene)
     f->shore_x = tp_cos(rise) / 65536;
     f->shore_z = tp_sin(rise) / 65536;
     f->stretch = (int32_t)(f->side / 16 * 7);
+    f->floor = TP_FOAM_BEACH;
 }
 
 #define OLD      128            /* of 256, over the field's mean: foam that crests left */
@@ -99,22 +100,29 @@ static void set_shore(tp_shade_foam *f, const tp_scene *scene)
                                  * lace shows less white than a small cover */
 #define OLD_MEAN 4096           /* Q8: means below leave less old foam, as it shows no white */
 
-/* Sets the foam beyond the window: none where walls or a map's coast bound the foam, the
- * field along a straight beach, else the field's mean.  Half of the water has old foam: its
- * share is taken from the crests. */
+/* Sets the cover of open water by its mean.  Half of the water has old foam: its share is
+ * taken from the crests. */
+static void set_open_water(tp_shade_foam *f, uint32_t mean)
+{
+    const uint32_t old = mean < OLD_MEAN ? OLD * mean / OLD_MEAN : OLD;
+
+    f->far_old = old * mean >> 16;
+    f->far_fresh = (FRESH - old / 2) * mean >> 8;
+}
+
+/* Sets the foam beyond the window: none where walls bound the foam, the field along a
+ * straight beach, the depth's mean over a map of the floor, else the field's mean. */
 static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam *foam)
 {
     const bool pool = tp_world_pool(frame->world) != NULL;
     const uint64_t square = (uint64_t)(foam->cells * 128) * (foam->cells * 128);
 
     f->edge = pool ? UINT32_MAX : (uint32_t)(((uint64_t)1 << 44) / (7 * square));
-    const uint32_t mean = pool || tp_has_floor(frame->scene) ? 0 : tp_foam_mean(foam);
-    const uint32_t old = mean < OLD_MEAN ? OLD * mean / OLD_MEAN : OLD;
-    f->far_old = old * mean >> 16;
-    f->far_fresh = (FRESH - old / 2) * mean >> 8;
+    const bool open = !pool && (frame->assets.floor || !tp_has_floor(frame->scene));
+    set_open_water(f, open ? tp_foam_open_mean(foam, frame->world) : 0);
     f->per_square = per_mean_square(frame->world);
     set_mean_way(f, frame->world);
-    f->shore_x = f->shore_z = 0;
+    f->floor = 0;
     if (!pool && tp_has_floor(frame->scene) && !frame->assets.floor)
         set_shore(f, frame->scene);
 }
@@ -133,6 +141,8 @@ static void begin_foam(tp_frame *frame, void *mine)
     f->colour = (uint32_t)scene->foam.colour;
     place_foam(f, foam, &scene->foam.map, frame->world->lag);
     set_far_foam(frame, f, foam);
+    if (frame->assets.floor && tp_foam_map(frame->world))
+        tp_foam_surf_begin(mine, foam, frame->world, scene);
 }
 
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
@@ -144,8 +154,9 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(tp_shade_foam));
+    return tp_arena_alloc(arena, 1, conditions->assets && conditions->assets->floor
+                                        ? sizeof(tp_shade_foam_mapped)
+                                        : sizeof(tp_shade_foam));
 }
 
 static void init(tp_frame *frame, void *mine)

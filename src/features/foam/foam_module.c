@@ -33,13 +33,15 @@ bool tp_foam_enabled(const tp_module_conditions *conditions)
 }
 
 /* Returns the size of the state.  With coastal water a row of displaced positions follows
- * the cover. */
+ * the cover, and over a map of the floor the sums of open water. */
 static size_t bytes(const tp_module_conditions *conditions)
 {
     const uint32_t cells = (uint32_t)conditions->scene->foam.cells;
+    const bool coastal = (conditions->above & TP_MODULE_COASTAL) != 0;
+    const bool mapped = coastal && conditions->assets && conditions->assets->floor;
 
-    return sizeof(tp_foam) + cover_bytes(cells)
-           + (conditions->above & TP_MODULE_COASTAL ? cells * sizeof(tp_vec3) : 0);
+    return sizeof(tp_foam) + cover_bytes(cells) + (coastal ? cells * sizeof(tp_vec3) : 0)
+           + (mapped ? sizeof(tp_foam_open) : 0);
 }
 
 /* Returns the window's side, Q32 m: below 2^46. */
@@ -138,9 +140,7 @@ static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
 
 /* -- visits -------------------------------------------------------------------------- */
 
-/* Returns e^(-8 / 60 / fade), Q24, the share of cover kept by a visit.  `fade_seconds`
- * is 0.1 s or more. */
-static uint32_t visit_fade_factor(tp_fx fade_seconds)
+uint32_t tp_foam_kept_share(tp_fx fade_seconds)
 {
     TP_ASSERT(fade_seconds > 0);
     uint64_t x =
@@ -150,6 +150,7 @@ static uint32_t visit_fade_factor(tp_fx fade_seconds)
 
 typedef struct {
     tp_foam_maker make;
+    const tp_coastal_water *map;        /* NULL: no map of the floor */
     uint32_t kept_q24, threshold_q24;
     lattice_axis x, z, seen_x, seen_z;
 } visit;
@@ -191,6 +192,39 @@ static uint32_t visit_row(visit *v, tp_foam *foam, uint8_t *cover)
     return sum;
 }
 
+/* Gives the cells of a row over a map that enter the window the mean, so the window shows
+ * no edge when it moves.  `seen`: the window of the last visit; `all`: the row enters. */
+static void fill_entering_cells(const visit *v, const tp_foam *foam, uint8_t *cover,
+                                const lattice_axis *seen, bool all)
+{
+    if (!all && seen->first == v->x.first)
+        return;
+    for (uint32_t i = 0; i < foam->cells; i++) {
+        const int32_t number = lattice_cell_number(&v->x, i);
+        if (all || number != lattice_cell_number(seen, i))
+            cover[i] = tp_foam_map_mean(&v->make,
+                                        cell_centre(foam, number, foam->drift_x));
+    }
+}
+
+/* Adds every sixteenth cell of a row that lies in open water. */
+static void count_open_water(const visit *v, tp_foam *foam, const uint8_t *cover)
+{
+    tp_foam_open *open = tp_foam_open_water(foam);
+
+    for (uint32_t i = 0; i < foam->cells; i += 16) {
+        const tp_fx x = cell_centre(foam, lattice_cell_number(&v->x, i), foam->drift_x);
+        const tp_fx depth = tp_coastal_floor(v->map, x, v->make.z).depth;
+        const uint32_t share = depth > 0 ? tp_foam_maker_open_share(&v->make, depth) : 0;
+        if (share < TP_FOAM_OPEN_SHARE)
+            continue;
+        open->sum += cover[i];
+        open->count += share;
+    }
+    for (; open->count >= TP_FOAM_OPEN_COUNT; open->count /= 2)
+        open->sum /= 2;
+}
+
 static void visit_slice(visit *v, tp_foam *foam)
 {
     uint32_t q = foam->visits % TP_FOAM_TICKS, cells = foam->cells;
@@ -200,7 +234,8 @@ static void visit_slice(visit *v, tp_foam *foam)
 
     v->x = make_axis(foam->first_x, cells);
     v->z = make_axis(foam->first_z, cells);
-    v->seen_x = make_axis(foam->seen[q][0], cells);
+    const lattice_axis seen_x = make_axis(foam->seen[q][0], cells);
+    v->seen_x = v->map ? v->x : seen_x;     /* no cell counts as new once they are filled */
     v->seen_z = make_axis(foam->seen[q][1], cells);
     for (uint32_t j = q * cells / TP_FOAM_TICKS; j < end; j++) {
         int32_t  number = lattice_cell_number(&v->z, j);
@@ -212,7 +247,12 @@ static void visit_slice(visit *v, tp_foam *foam)
         if (foam->scratch && number - 1 != last)
             set_previous_row_points(v, foam);
         last = number;
+        if (v->map)
+            fill_entering_cells(v, foam, cover, &seen_x,
+                                number != lattice_cell_number(&v->seen_z, j));
         sum += visit_row(v, foam, cover);
+        if (v->map && j % 2 == 0)
+            count_open_water(v, foam, cover);
     }
     foam->sum[q] = sum;
     foam->seen[q][0] = foam->first_x;
@@ -222,7 +262,8 @@ static void visit_slice(visit *v, tp_foam *foam)
 /* Advances the foam by one tick, after all other modules have moved. */
 static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
-    visit v = { .kept_q24 = visit_fade_factor(scene->foam.fade) };
+    visit v = { .kept_q24 = tp_foam_kept_share(scene->foam.fade),
+                .map = tp_foam_map(world) };
 
     foam->drift_x = advance_drift(foam, foam->drift_x, scene->foam.map.drift_x, 0);
     foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
@@ -230,72 +271,6 @@ static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scen
     tp_foam_maker_begin(&v.make, foam, world, scene);
     visit_slice(&v, foam);
     foam->visits++;
-}
-
-/* -- access by place ----------------------------------------------------------------- */
-
-/* Returns the distance of a place from the window's low side, cells, Q8.  The place may
- * lie outside. */
-static int64_t window_offset_q8(const tp_foam *foam, tp_fx place, int32_t first,
-                                int64_t drift)
-{
-    int64_t low = (int64_t)first * foam->cell + (drift >> 16);
-    return ((int64_t)place - low) * 256 / foam->cell;
-}
-
-/* Adds cover to each cell with its centre within the radius, less towards the rim. */
-void tp_foam_add_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover)
-{
-    TP_ASSERT(radius >= 0 && cover <= 255);
-    int64_t u = window_offset_q8(foam, x, foam->first_x, foam->drift_x);
-    int64_t w = window_offset_q8(foam, z, foam->first_z, foam->drift_z);
-    int64_t r = (int64_t)radius * 256 / foam->cell, cells = foam->cells;
-
-    r = r < 192 ? 192 : r > 16 * 256 ? 16 * 256 : r;
-    for (int64_t j = (w - r) >> 8; j <= (w + r) >> 8; j++) {
-        for (int64_t i = (u - r) >> 8; i <= (u + r) >> 8; i++) {
-            int64_t dx = i * 256 + 128 - u, dz = j * 256 + 128 - w;
-            int64_t left = r * r - dx * dx - dz * dz;
-            if (left <= 0 || i < 0 || j < 0 || i >= cells || j >= cells)
-                continue;
-            uint32_t col = tp_foam_mod(foam->first_x + (int32_t)i, foam->cells);
-            uint32_t row = tp_foam_mod(foam->first_z + (int32_t)j, foam->cells);
-            uint8_t *at = tp_foam_cover(foam) + (size_t)row * foam->cells + col;
-            uint32_t more = *at + (uint32_t)(cover * left / (r * r));
-            *at = (uint8_t)(more < 255 ? more : 255);
-        }
-    }
-}
-
-uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z)
-{
-    int64_t u = window_offset_q8(foam, x, foam->first_x, foam->drift_x);
-    int64_t w = window_offset_q8(foam, z, foam->first_z, foam->drift_z);
-    const uint8_t *cover = (const uint8_t *)(foam + 1);
-    int64_t most = (int64_t)foam->cells * 256, sum = 0;
-
-    if (u < 0 || w < 0 || u >= most || w >= most)
-        return 0;
-    int32_t s = (int32_t)u - 128, t = (int32_t)w - 128;
-    for (int32_t k = 0; k < 4; k++) {
-        uint32_t col = tp_foam_mod(foam->first_x + (s >> 8) + (k & 1), foam->cells);
-        uint32_t row = tp_foam_mod(foam->first_z + (t >> 8) + (k >> 1), foam->cells);
-        int32_t  fs = k & 1 ? s & 255 : 256 - (s & 255);
-        int32_t  ft = k >> 1 ? t & 255 : 256 - (t & 255);
-        sum += (int64_t)cover[(size_t)row * foam->cells + col] * fs * ft;
-    }
-    return (uint8_t)((sum + 0x8000) >> 16);
-}
-
-uint32_t tp_foam_mean(const tp_foam *foam)
-{
-    const uint64_t most = (uint64_t)255 << 8;
-    uint64_t sum = 0;
-
-    for (int q = 0; q < TP_FOAM_TICKS; q++)
-        sum += foam->sum[q];
-    sum = sum * 256 / ((uint64_t)foam->cells * foam->cells);
-    return (uint32_t)(sum < most ? sum : most);
 }
 
 /* -- validation of a state from outside ---------------------------------------------- */
@@ -311,7 +286,6 @@ static bool is_window_valid(const tp_foam *foam, int32_t first, int64_t cells)
  * tick. */
 static bool is_valid(const void *mine, const void *fresh_state, const tp_world *world)
 {
-    (void)world;
     const tp_foam *foam = mine, *fresh = fresh_state;
     const int64_t cells = fresh->cells, side = window_side_q32(fresh);
     bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
@@ -324,7 +298,10 @@ static bool is_valid(const void *mine, const void *fresh_state, const tp_world *
     for (int q = 0; q < TP_FOAM_TICKS; q++)
         valid = valid && is_window_valid(fresh, foam->seen[q][0], 10 * cells)
              && is_window_valid(fresh, foam->seen[q][1], 10 * cells);
-    return valid;
+    if (!valid || !tp_foam_map(world))
+        return valid;
+    const tp_foam_open *open = tp_foam_open_water(foam);
+    return open->count < TP_FOAM_OPEN_COUNT && open->sum <= 4 * open->count;
 }
 
 /* -- the module ---------------------------------------------------------------------- */
@@ -350,11 +327,6 @@ static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *im
     (void)scene, (void)level;
     tp_foam_add_blob(mine, impact->x, impact->z, impact->length / 5, 160);
     return false;
-}
-
-const tp_foam *tp_world_foam(const tp_world *world)
-{
-    return tp_foam_of_world(world);
 }
 
 const tp_module tp_foam_module = {

@@ -8,6 +8,7 @@
 #include "features/foam/foam.h"
 #include "waves/coastal_tables.h"
 #include "waves/deep_water.h"
+#include "waves/softfloat.h"
 #include "world/module.h"
 #include "world/pools.h"
 
@@ -65,27 +66,31 @@ static tp_fx coastal_jacobian(tp_foam_maker *m, uint32_t col, tp_vec3 here)
     return (tp_fx)((jxx * jzz - jxz * jzx) >> 16);
 }
 
-/* Reduces the crest gain over a near floor.  Orbits widen there and every crest is
+/* Crests gain less over a near floor.  Orbits widen there and every crest is
  * compressed, so only breaking counts.  The full gain holds from a depth of 16 wave
  * heights on, none up to a depth of 8 wave heights. */
-static uint32_t reduce_shallow_gain(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
+uint32_t tp_foam_maker_open_share(const tp_foam_maker *m, tp_fx depth)
 {
     int64_t over = ((int64_t)depth - m->deep) * m->per_deep >> 16;
-    uint32_t share = over < 0 ? 0 : over < 256 * 256 ? (uint32_t)over >> 8 : 256;
-    return gain * share >> 8;
+    return over < 0 ? 0 : over < 256 * 256 ? (uint32_t)over >> 8 : 256;
+}
+
+static uint32_t reduce_shallow_gain(const tp_foam_maker *m, tp_fx depth, uint32_t gain)
+{
+    return gain * tp_foam_maker_open_share(m, depth) >> 8;
 }
 
 /* Returns the gain of shallow water, in proportion to its height or breaking; still water
  * makes no foam. */
-static uint32_t shore_gain(const tp_foam_maker *m, const tp_coastal_point *at)
+static uint32_t shore_gain(const tp_foam_maker *m, tp_fx depth, tp_fx lift, tp_fx breaking)
 {
     tp_fx shore = m->scene->foam.shore;
 
-    if (at->depth >= shore)
+    if (depth >= shore)
         return 0;
-    tp_fx shallow = TP_FX_ONE - tp_fx_mul(at->depth, m->per_shore);
-    int64_t lifted = ((int64_t)tp_abs(at->position.y) * m->per_shore + 0x8000) >> 16;
-    tp_fx moves = (tp_fx)tp_clamp_abs(lifted + at->breaking * 128, TP_FX_ONE);
+    tp_fx shallow = TP_FX_ONE - tp_fx_mul(depth, m->per_shore);
+    int64_t lifted = ((int64_t)lift * m->per_shore + 0x8000) >> 16;
+    tp_fx moves = (tp_fx)tp_clamp_abs(lifted + breaking, TP_FX_ONE);
     return scale_gain(tp_fx_mul(shallow, moves), 80);
 }
 
@@ -98,9 +103,28 @@ static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after
 
     if (at.depth <= 0)
         return TP_FOAM_DRY;
-    return reduce_shallow_gain(m, at.depth, crest_gain(m, squeeze)) + shore_gain(m, &at)
+    return reduce_shallow_gain(m, at.depth, crest_gain(m, squeeze))
+           + shore_gain(m, at.depth, tp_abs(at.position.y), at.breaking * 128)
            + scale_gain(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking),
                         BREAKING_UNITS);
+}
+
+/* The mean of the gains, and the cover that balances what fades. */
+uint32_t tp_foam_maker_mean_cover(const tp_foam_maker *m, tp_fx depth, uint32_t visits)
+{
+    if (depth <= 0)
+        return 0;
+    const tp_coastal_surf surf = tp_coastal_mean_surf(m->coastal, depth);
+    const uint32_t gain = scale_gain(tp_fx_mul(surf.breaking, m->scene->foam.breaking),
+                                     BREAKING_UNITS)
+                        + shore_gain(m, depth, surf.lift, surf.breaking / 2);
+    const uint32_t more = gain < GAIN_MOST ? gain : GAIN_MOST;      /* Q16 */
+    const uint32_t lost = ((1u << 24) - tp_foam_kept_share(m->scene->foam.fade)) >> 8;
+    const uint64_t age = (uint64_t)(more + lost) * visits << 8;
+    const uint32_t young = tp_exp_neg(age < UINT32_MAX ? (uint32_t)age : UINT32_MAX);
+    const uint64_t cover = (uint64_t)(more * 255) * (UINT32_MAX - young);
+
+    return (uint32_t)((cover / (more + lost + 1) + (1u << 31)) >> 32);
 }
 
 /* -- walls --------------------------------------------------------------------------- */

@@ -16,8 +16,9 @@
  * over the sea is the mean of the field, so no disc shows from above.  The field itself,
  * repeated as the torus that it is, shows more of its shapes, but repeats a boat's wake and
  * the large waves' crests in every square.  Along a straight beach the field does repeat:
- * crests run along the beach.  Over a map of the floor there is no foam beyond. */
-#include "features/foam/foam.h"
+ * crests run along the beach.  Over a map of the floor the depth gives the cover of the
+ * surf: see foam_surf.c. */
+#include "features/foam/foam_cover.h"
 #include "shade/material.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
@@ -263,17 +264,8 @@ TP_ALWAYS_INLINE uint32_t foam_light_share(const tp_shade *shade, const tp_run *
     return (uint32_t)(256 + tp_lit_share(shade->ambient, nl)) / 2;
 }
 
-#define FAR_MOST  216           /* of 255: largest cover beyond the window */
 #define FAINT     10            /* less cover towards the edge and beyond shows no lace */
 #define FAINT_SHARE 286         /* of 256: LACE OPAQUE + BAND, its opacity over the cover */
-#define STEEP     1700          /* largest square of the slope, 6.6 means, Q8 */
-
-/* Returns the square of a slope, Q24, over the mean square of the waves, Q8. */
-TP_ALWAYS_INLINE uint32_t relative_square(const tp_shade_foam *f, uint32_t square)
-{
-    const uint64_t q = (uint64_t)square * f->per_square >> 24;
-    return q < STEEP ? (uint32_t)q : STEEP;
-}
 
 /* Returns the variance of slopes of the waves that the grid leaves out at a depth, over
  * the mean square, Q8. */
@@ -284,31 +276,23 @@ static uint32_t filtered_variance(const tp_shade *shade, const tp_shade_foam *f,
         return 0;
     const tp_slope_variance v =
         tp_filtered_waves_lookup(shade->filtered, tp_log_depth(shade, key));
-    return relative_square(f, v.left);
+    return tp_foam_relative_square(f, v.left);
 }
 
-/* Returns the cover 0..255 beyond the window: old foam but on the waves' fronts, and fresh
- * foam by q b, where q is the square of the slope over its mean and b the part that rises on
- * the waves' way: foam lies on the waves' backs.  Waves that the grid leaves out add a
- * random slope of variance v, on backs and fronts: q b + 2 q v + v^2.  The mean of the sum
- * over the sea is 0.75 for one wave and 1 for many, however many of them the grid leaves
- * out.  The product is below 45200 x 89760 < 2^32. */
+/* Returns the cover 0..255 beyond the window over a floor. */
+static uint32_t floor_cover(const tp_shade_foam *f, const tp_run *run, int32_t i, uint32_t v)
+{
+    return f->floor == TP_FOAM_MAP ? tp_foam_surf_cover(f, run, i, v)
+                                   : shore_cover(f, run->s[i], run->t[i]);
+}
+
+/* Returns the cover 0..255 beyond the window. */
 TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
                                     uint32_t v)
 {
     if (!f->far_fresh)
-        return f->shore_x | f->shore_z ? shore_cover(f, run->s[i], run->t[i]) : 0;
-    const int32_t x = tp_slope_x(run, i, 0), z = tp_slope_z(run, i, 0);
-    const int32_t rise = x * f->way_x + z * f->way_z, up = rise / 16384;
-
-    if (rise < 0 && v == 0)
-        return 0;
-    const uint32_t q = relative_square(f, tp_slope_square(x, z));
-    const uint32_t b = up > 0 ? relative_square(f, (uint32_t)(up * up)) : 0;
-    const uint32_t fresh = ((b * q + v * (2 * q + v)) >> 8) * f->far_fresh >> 16;
-    const uint32_t cover = rise < 0 ? fresh : fresh + f->far_old;
-
-    return cover < FAR_MOST ? cover : FAR_MOST;
+        return f->floor ? floor_cover(f, run, i, v) : 0;
+    return tp_foam_open_cover(f, f->far_fresh, f->far_old, run, i, v);
 }
 
 TP_ALWAYS_INLINE uint32_t laced_opacity(const tp_shade_foam *f, const lace *l,

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* Cover beyond the window: of open water, by the slope of the drawn water; over a map. */
+#ifndef TP_FEATURES_FOAM_FOAM_COVER_H
+#define TP_FEATURES_FOAM_FOAM_COVER_H
+#include "features/foam/foam.h"
+#include "shade/slope.h"
+
+#define TP_FOAM_FAR_MOST 216    /* of 255: largest cover beyond the window */
+#define TP_FOAM_STEEP    1700   /* largest square of the slope, 6.6 means, Q8 */
+
+/* Returns the square of a slope, Q24, over the mean square of the waves, Q8. */
+TP_ALWAYS_INLINE uint32_t tp_foam_relative_square(const tp_shade_foam *f, uint32_t square)
+{
+    const uint64_t q = (uint64_t)square * f->per_square >> 24;
+    return q < TP_FOAM_STEEP ? (uint32_t)q : TP_FOAM_STEEP;
+}
+
+/* Returns the cover 0..255: old foam but on the waves' fronts, and fresh foam by q b, where
+ * q is the square of the slope over its mean and b the part that rises on the waves' way:
+ * foam lies on the waves' backs.  Waves that the grid leaves out add a random slope of
+ * variance v, on backs and fronts: q b + 2 q v + v^2.  The mean of the sum over the sea is
+ * 0.75 for one wave and 1 for many, however many of them the grid leaves out.  The product
+ * is below 45200 x 89760 < 2^32. */
+TP_ALWAYS_INLINE uint32_t tp_foam_open_cover(const tp_shade_foam *f, uint32_t far_fresh,
+                                             uint32_t far_old, const tp_run *run,
+                                             int32_t i, uint32_t v)
+{
+    const int32_t x = tp_slope_x(run, i, 0), z = tp_slope_z(run, i, 0);
+    const int32_t rise = x * f->way_x + z * f->way_z, up = rise / 16384;
+
+    if (rise < 0 && v == 0)
+        return 0;
+    const uint32_t q = tp_foam_relative_square(f, tp_slope_square(x, z));
+    const uint32_t b = up > 0 ? tp_foam_relative_square(f, (uint32_t)(up * up)) : 0;
+    const uint32_t fresh = ((b * q + v * (2 * q + v)) >> 8) * far_fresh >> 16;
+    const uint32_t cover = rise < 0 ? fresh : fresh + far_old;
+
+    return cover < TP_FOAM_FAR_MOST ? cover : TP_FOAM_FAR_MOST;
+}
+
+/* Returns the cover 0..255 over a map, TP_FOAM_MAP, at sample i of a run; v as above. */
+uint32_t tp_foam_surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
+                            uint32_t v);
+
+#endif
