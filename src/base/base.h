@@ -53,12 +53,15 @@ static inline uint32_t tp_random(uint32_t *state)
     return *state;
 }
 
-/* Forces inlining of a function that takes literal flags.  Plain `inline` at -Os leaves the
- * tests of the flags inside the loop. */
+/* TP_ALWAYS_INLINE forces inlining of a function that takes literal flags.  Plain `inline` at
+ * -Os leaves the tests of the flags inside the loop.  TP_NEVER_INLINE keeps the arrays of a
+ * function off the stack of its caller's other calls. */
 #if defined(__GNUC__)
 #define TP_ALWAYS_INLINE static inline __attribute__((always_inline))
+#define TP_NEVER_INLINE static __attribute__((noinline))
 #else
 #define TP_ALWAYS_INLINE static inline
+#define TP_NEVER_INLINE static
 #endif
 
 /* -- the arena ----------------------------------------------------------------------- */

@@ -141,8 +141,9 @@ typedef struct {
     int64_t first, last;
 } tp_fan_range;
 
-/* Returns the distances of the water in view, up to +-last. */
-tp_fan_range tp_fan_visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx last);
+/* Returns the distances of the water in view, up to +-last, for waves of +-highest. */
+tp_fan_range tp_fan_visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx highest,
+                                  tp_fx last);
 
 /* Returns half the width of the view per metre of depth, 16.16. */
 tp_fx tp_fan_half_width_per_depth(const tp_fan_view *view, tp_dir3 right);

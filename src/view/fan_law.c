@@ -164,31 +164,32 @@ static void set_size(tp_fan_law *law, int32_t end, const tp_fan_view *view,
     law->rows = vertices / cols;
 }
 
-/* Near the eye, rows are no denser than the shortest wave needs. */
-static tp_fan_law solve(const tp_fan_view *view, uint32_t vertices)
+/* Solves the law for waves up to `high`.  Near the eye, rows are no denser than the shortest
+ * wave needs. */
+static void solve(tp_fan_law *law, const tp_fan_view *view, tp_fx high, uint32_t vertices)
 {
     const tp_projection *p = view->projection;
     const tp_fx half_wave = view->half_longest, up = tp_abs(p->eye.y);
     const tp_fx least = half_wave < view->shortest ? half_wave : view->shortest;
-    tp_fan_law law = { .right = tp_fan_rows_direction(&p->turn, false),
-                       .tail = view->half_longest > 0 || view->detail == 0 ? SWELLS_TAIL
-                                                                          : DETAIL_TAIL,
-                       .height = up > LEAST_HEIGHT ? up : LEAST_HEIGHT };
-    law.wide = tp_fan_half_width_per_depth(view, law.right);
-    if (law.height < least)
-        law.height = least;
-    const int64_t corner = tp_isqrt64(((uint64_t)1 << 32)      /* per metre of distance */
-                                      + (uint64_t)((int64_t)law.wide * law.wide));
-    const int64_t most = ((int64_t)TP_FAN_WIDEST << 16) / corner;
-    law.farthest = most < FARTHEST ? (tp_fx)most : FARTHEST;
-    const tp_fan_range r = tp_fan_visible_range(view, law.right, law.farthest);
 
-    law.last = (tp_fx)r.last;
-    law.start = asinh_q24((tp_fx)r.first, law.height);
-    const int32_t end = asinh_q24(law.last, law.height);
-    set_size(&law, end, view, vertices);
-    set_waves_end(&law, end, view);
-    return law;
+    *law = (tp_fan_law){ .right = tp_fan_rows_direction(&p->turn, false),
+                         .tail = view->half_longest > 0 || view->detail == 0 ? SWELLS_TAIL
+                                                                            : DETAIL_TAIL,
+                         .height = up > LEAST_HEIGHT ? up : LEAST_HEIGHT };
+    law->wide = tp_fan_half_width_per_depth(view, law->right);
+    if (law->height < least)
+        law->height = least;
+    const int64_t corner = tp_isqrt64(((uint64_t)1 << 32)      /* per metre of distance */
+                                      + (uint64_t)((int64_t)law->wide * law->wide));
+    const int64_t most = ((int64_t)TP_FAN_WIDEST << 16) / corner;
+    law->farthest = most < FARTHEST ? (tp_fx)most : FARTHEST;
+    const tp_fan_range r = tp_fan_visible_range(view, law->right, high, law->farthest);
+
+    law->last = (tp_fx)r.last;
+    law->start = asinh_q24((tp_fx)r.first, law->height);
+    const int32_t end = asinh_q24(law->last, law->height);
+    set_size(law, end, view, vertices);
+    set_waves_end(law, end, view);
 }
 
 /* -- rows ---------------------------------------------------------------------------- */
@@ -267,18 +268,21 @@ tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
 {
     if (view->walled)
         return tp_fan_tank_law(view, vertices);
-    const tp_fan_law law = solve(view, vertices);
-    tp_fan_view raised = *view;
+    tp_fan_law law;
     tp_fx distance, along, gain;
 
+    solve(&law, view, view->high, vertices);
     place_row(&law, view, 0, &distance, &along, &gain);
-    raised.high = tp_fx_saturate((int64_t)view->high * gain >> 16);
-    return raised.high - view->high <= TP_FX(0.125) ? law : solve(&raised, vertices);
+    const tp_fx high = tp_fx_saturate((int64_t)view->high * gain >> 16);
+    if (high - view->high > TP_FX(0.125))
+        solve(&law, view, high, vertices);
+    return law;
 }
 
 /* Sets all numbers of the view that this file and fan_view.c read, but the eye's x and z;
- * `ahead` is -turn.z. */
-static void set_key(int32_t key[TP_FAN_KEY], const tp_fan_view *view, uint32_t vertices)
+ * `ahead` is -turn.z.  Returns true if a number has changed. */
+TP_NEVER_INLINE bool update_key(int32_t key[TP_FAN_KEY], const tp_fan_view *view,
+                                       uint32_t vertices)
 {
     const tp_projection *p = view->projection;
     const tp_rotation *turn = &p->turn;
@@ -294,19 +298,18 @@ static void set_key(int32_t key[TP_FAN_KEY], const tp_fan_view *view, uint32_t v
     };
 
     TP_ASSERT(view->width > 0);
+    if (memcmp(key, numbers, sizeof numbers) == 0)
+        return false;
     memcpy(key, numbers, sizeof numbers);
+    return true;
 }
 
 bool tp_fan_law_update(tp_fan_law *law, int32_t made_for[TP_FAN_KEY],
                        const tp_fan_view *view, uint32_t vertices)
 {
-    int32_t key[TP_FAN_KEY];
-
-    set_key(key, view, vertices);
-    if (memcmp(key, made_for, sizeof key) == 0)
+    if (!update_key(made_for, view, vertices))
         return false;
     *law = tp_fan_law_solve(view, vertices);
-    memcpy(made_for, key, sizeof key);
     return true;
 }
 

@@ -187,10 +187,11 @@ static int64_t highest_level(const tp_fan_view *view, int64_t height)
 
 /* The range lies between the rays of the picture's corners, and leads up to the horizon if
  * that is in the picture. */
-tp_fan_range tp_fan_visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx last)
+tp_fan_range tp_fan_visible_range(const tp_fan_view *view, tp_dir3 right, tp_fx highest,
+                                  tp_fx last)
 {
     const int64_t eye = view->projection->eye.y;
-    const int64_t height = view->high + TP_FX_ONE / 4;
+    const int64_t height = (int64_t)highest + TP_FX_ONE / 4;
     const int64_t room = (int64_t)view->aside + MARGIN;
     const int64_t high = highest_level(view, height);
     const fan_ray middle = make_ray(view->projection, right, 0, 0);

@@ -17,7 +17,8 @@ made=src/quality/prices.inc
 elf=build/cortex-m/prices.elf
 
 if [ "${1:-}" = --write ]; then
-    build all && build/host/tidepool charts assets/charts --only prices || exit
+    build all build/host/tests/budgets/errors &&
+        build/host/tidepool charts assets/charts --only prices || exit
     awk -f tests/budgets/prices.awk $table >"$scratch/made" && cp "$scratch/made" $made
     exit
 fi

@@ -98,9 +98,7 @@ bool tp_lighting_enabled(const tp_module_conditions *conditions)
 static void set_lighting_traits(const tp_module_conditions *conditions,
                                 uint8_t trait[TP_TRAIT_COUNT])
 {
-    trait[TP_TRAIT_rough] = conditions->scene->water.rough
-                         && (tp_has_fan(conditions->scene)
-                             || tp_ripple_enabled(conditions));
+    trait[TP_TRAIT_rough] = conditions->scene->water.rough != 0;
 }
 
 /* True if diffuse light has an effect: light with full ambient share changes no colour. */
