@@ -299,7 +299,7 @@ static void layout_flat(tp_frame_buffers *buffers, tp_arena *arena,
                         const tp_program *program, const tp_scene *scene,
                         const tp_config *config)
 {
-    tp_frame_layout_level(buffers, arena);
+    buffers->level = tp_arena_alloc(arena, 1, sizeof *buffers->level);
     if (program->water.swells)
         tp_frame_layout_slopes(buffers, arena, scene, config);
 }

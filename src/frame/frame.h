@@ -38,7 +38,6 @@ typedef struct tp_frame_buffers {
     tp_grid         *grid;              /* NULL: no renderer stores grid vertices */
     tp_rung_mask     rung_mask;         /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
-    tp_fan_kept_law *level_law;         /* kept law of its extent */
     tp_projected    *projected;
     tp_filtered_waves *filtered;        /* set by the grid's renderer; NULL: none */
     uint32_t        *slopes;            /* flat: slope grid, row by row */
@@ -133,11 +132,10 @@ void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory
 /* slope_grid.c: the level plane and the slope grid of flat water.
  * tp_frame_can_use_level_plane: true if swells of deep water alone move the water (no
  * rings, pools, tank or coastal water), the eye is above all crests, and memory for the
- * level plane was laid out.  The other functions lay out the level plane's memory, place its
- * outline, lay out the slopes' memory, and compute the slopes. */
+ * level plane was laid out.  The other functions place the level plane, lay out the slopes'
+ * memory, and compute the slopes. */
 #define TP_LATTICE_CELL 8       /* cell side, px */
 bool tp_frame_can_use_level_plane(const tp_frame *frame);
-void tp_frame_layout_level(tp_frame_buffers *buffers, tp_arena *arena);
 void tp_frame_place_level(tp_frame *frame);
 void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
                             const tp_scene *scene, const tp_config *config);

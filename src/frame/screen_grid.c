@@ -283,8 +283,7 @@ static tp_row_point project_displaced_line_point(const screen_line *l, int32_t x
         .t = at[1],
     };
     if (tp_surface_has_swells(&frame->surface)) {
-        tp_surface_point from = frame->surface.by->swells->point(level, &frame->surface, at,
-                                                             step);
+        tp_surface_point from = frame->surface.by->swells->point(&frame->surface, at, step);
         p.n = tp_level_pack_slopes(&from);
         if (from.position.x != at[0] || from.position.y != 0 || from.position.z != at[1])
             project(frame, &from, &p);
@@ -376,7 +375,7 @@ static void layout_projected(tp_frame_buffers *buffers, tp_arena *arena,
 {
     (void)scene, (void)config;
     if (!(buffers->rung_mask.visibility >> TP_VISIBILITY_FLAT & 1) || !program->method.flat)
-        tp_frame_layout_level(buffers, arena);
+        buffers->level = tp_arena_alloc(arena, 1, sizeof *buffers->level);
     buffers->projected = tp_arena_alloc(arena, 1, sizeof *buffers->projected);
 }
 

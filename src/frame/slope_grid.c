@@ -3,7 +3,6 @@
  * frame for any number of tiles.  Also the conditions and the level plane of the renderers
  * based on level water: the water is swells alone, all below the eye. */
 #include "frame/frame.h"
-#include "view/fan.h"
 #include "view/wave_models.h"
 #include "world/pools.h"
 
@@ -44,19 +43,10 @@ bool tp_frame_can_use_level_plane(const tp_frame *frame)
                   >= tp_surface_height_bound(surface) + TP_LEVEL_HEIGHT;
 }
 
-void tp_frame_layout_level(tp_frame_buffers *buffers, tp_arena *arena)
-{
-    buffers->level = tp_arena_alloc(arena, 1, sizeof *buffers->level);
-    buffers->level_law = tp_arena_alloc(arena, 1, sizeof *buffers->level_law);
-    if (buffers->level_law)
-        *buffers->level_law = (tp_fan_kept_law){ .law.rows = 0 };
-}
-
 void tp_frame_place_level(tp_frame *frame)
 {
     TP_ASSERT(frame->buffers.level != NULL);
-    tp_level_begin(frame->buffers.level, &frame->projection,
-                   tp_fan_level_extent(frame->buffers.level_law, &frame->grid_view));
+    tp_level_begin(frame->buffers.level, &frame->projection);
 }
 
 /* -- slope grid ---------------------------------------------------------------------- */
@@ -112,7 +102,7 @@ static uint32_t sample_slopes(const tp_frame *frame, const row_of_points *row, i
 
     sample_rest(level, row, x, y, at, step);
     tp_surface_point point =
-        frame->surface.by->swells->point(level, &frame->surface, at, step);
+        frame->surface.by->swells->point(&frame->surface, at, step);
     return tp_level_pack_slopes(&point);
 }
 

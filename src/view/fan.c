@@ -117,14 +117,3 @@ void tp_fan_place_rows(tp_grid *grid, const tp_grid_view *view)
     for (uint32_t i = 0; surface->coastal && i < surface->deep->count; i++)
         fan->wind[i] = wind_share(surface, i);
 }
-
-/* -- level water --------------------------------------------------------------------- */
-
-tp_level_extent tp_fan_level_extent(tp_fan_kept_law *kept, const tp_grid_view *view)
-{
-    const tp_fan_view numbers = tp_fan_view_make(view);
-
-    tp_fan_law_update(&kept->law, kept->made_for, &numbers, view->vertices);
-    const tp_fx far = kept->law.farthest, waves = kept->law.waves_end;
-    return (tp_level_extent){ far, waves < far ? waves : far };
-}

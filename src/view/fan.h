@@ -76,12 +76,6 @@ typedef struct {
 
 #define TP_FAN_KEY 27           /* numbers that determine a law */
 
-/* A law kept between frames.  All 0: not solved yet. */
-typedef struct {
-    int32_t    made_for[TP_FAN_KEY];    /* numbers of the law; the first is > 0 */
-    tp_fan_law law;
-} tp_fan_kept_law;
-
 /* The numbers of a swell that the filter reads. */
 typedef struct {
     int64_t turns_x, turns_z;
@@ -235,8 +229,5 @@ static inline tp_fx tp_grid_t(const tp_grid *grid, uint32_t i, uint32_t j)
 
 /* fan.c: places the rows; sets the number of rows and columns, and the visible cells. */
 void tp_fan_place_rows(tp_grid *grid, const tp_grid_view *view);
-
-/* Returns the extent of level water, for renderers without a grid. */
-tp_level_extent tp_fan_level_extent(tp_fan_kept_law *kept, const tp_grid_view *view);
 
 #endif

@@ -90,12 +90,6 @@ typedef struct {
     tp_water_detail detail;
 } tp_grid_view;
 
-/* Extent of level water around the eye: a square of half side `far` m, with waves up to
- * `waves` m.  The waves fade over the last eighth. */
-typedef struct {
-    tp_fx far, waves;
-} tp_level_extent;
-
 static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     size_t at = (size_t)j * grid->cols + i;

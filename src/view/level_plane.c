@@ -48,18 +48,17 @@ static tp_level_linear make_zi_linear(const tp_projection *projection,
     };
 }
 
-/* Returns the inside of the plane through the eye and a side of the water, `far` m from
- * the eye; `sign`: direction of the side along x or z. */
+/* Returns the inside of the plane through the eye and a side of the water; `sign`:
+ * direction of the side along x or z. */
 static tp_level_linear make_side_linear(const tp_projection *projection, int sign,
-                                        tp_fx far, bool along_z)
+                                        bool along_z)
 {
-    tp_fx h = projection->eye.y * -sign, w = -far;
+    tp_fx h = projection->eye.y * -sign, w = -TP_LEVEL_FAR;
     return make_ray_dot_linear(projection,
                                along_z ? tp_normalise(0, w, h) : tp_normalise(h, w, 0));
 }
 
-void tp_level_begin(tp_level *level, const tp_projection *projection,
-                    tp_level_extent extent)
+void tp_level_begin(tp_level *level, const tp_projection *projection)
 {
     const tp_vec3 *eye = &projection->eye;
 
@@ -69,15 +68,13 @@ void tp_level_begin(tp_level *level, const tp_projection *projection,
     level->south = make_ray_dot_linear(projection, (tp_dir3){ 0, 0, TP_Q30_ONE });
     level->zi = make_zi_linear(projection, &level->down);
     for (int k = 0; k < 4; k++)
-        level->side[k] =
-            make_side_linear(projection, k & 1 ? 1 : -1, extent.far, k >= 2);
+        level->side[k] = make_side_linear(projection, k & 1 ? 1 : -1, k >= 2);
     level->side[4] = (tp_level_linear){
         ((int64_t)255 << (23 + TP_LEVEL_ZI)) - level->zi.at, -level->zi.x, -level->zi.y,
     };
     level->height = eye->y;
     level->x = eye->x;
     level->z = eye->z;
-    level->extent = extent;
     level->rolled = level->down.x != 0;
 }
 
@@ -195,27 +192,13 @@ static void add_weighted_swell_terms(tp_swell_sum *sum, const tp_swell *w, tp_tu
     sum->bzz += (int64_t)w->bend_zz * s;
 }
 
-/* Returns the weight of the waves at a distance from the eye along x or z, 0..1. */
-static tp_fx extent_wave_weight(tp_level_extent extent, int64_t distance)
+tp_surface_point tp_level_sample_surface(const tp_surface *surface, const tp_fx place[2],
+                                         tp_fx step[2][2])
 {
-    const tp_fx fading = extent.waves / 8;
-    const int64_t from_edge = extent.waves - (distance < 0 ? -distance : distance);
-
-    if (fading == 0 || from_edge >= fading)
-        return TP_FX_ONE;
-    return from_edge <= 0 ? 0 : tp_smoothstep(tp_fx_div((tp_fx)from_edge, fading));
-}
-
-tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
-                                         const tp_fx place[2], tp_fx step[2][2])
-{
-    tp_fx fade =
-        tp_fx_mul(extent_wave_weight(level->extent, (int64_t)place[0] - level->x),
-                  extent_wave_weight(level->extent, (int64_t)place[1] - level->z));
     tp_swell_sum sum = { 0 };
     bool some = false;
 
-    for (uint32_t k = 0; k < surface->deep->count && fade > 0; k++) {
+    for (uint32_t k = 0; k < surface->deep->count; k++) {
         const tp_swell *w = &surface->deep->swell[k];
         tp_fx share = swell_sampling_weight(w, step[0]),
               other = swell_sampling_weight(w, step[1]);
@@ -230,5 +213,5 @@ tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface
     }
     if (!some)
         return (tp_surface_point){ .position = { place[0], 0, place[1] } };
-    return tp_swell_sum_point(&sum, place[0], place[1], fade);
+    return tp_swell_sum_point(&sum, place[0], place[1], TP_FX_ONE);
 }

@@ -34,15 +34,15 @@ typedef struct {
     tp_level_linear zi;                    /* near / depth, Q1.43 */
     tp_level_linear side[TP_LEVEL_SIDES];  /* water if no side is negative */
     tp_fx height, x, z;                    /* position of the eye, m */
-    tp_level_extent extent;                /* of the water and its waves */
     bool  rolled;
 } tp_level;
 
 #define TP_LEVEL_HEIGHT TP_FX(0.0625)   /* smallest height of the eye, m */
 
+#define TP_LEVEL_FAR (16000 * TP_FX_ONE)    /* the water's sides around the eye, m */
+
 /* Sets up the sums. The eye is at least TP_LEVEL_HEIGHT above the level. */
-void tp_level_begin(tp_level *level, const tp_projection *projection,
-                    tp_level_extent extent);
+void tp_level_begin(tp_level *level, const tp_projection *projection);
 
 TP_ALWAYS_INLINE int64_t tp_level_evaluate(const tp_level_linear *sum, int32_t x, int32_t y)
 {
@@ -91,9 +91,9 @@ unsigned tp_level_clip_mask(const tp_level *level, int32_t x0, int32_t y0, int32
 
 /* Returns the surface point of a rest position, for sample points `step` apart in two
  * directions.  Waves shorter than two steps are omitted, waves longer than four steps
- * have full height.  Waves fade towards the end of their extent. */
-tp_surface_point tp_level_sample_surface(const tp_level *level, const tp_surface *surface,
-                                         const tp_fx place[2], tp_fx step[2][2]);
+ * have full height. */
+tp_surface_point tp_level_sample_surface(const tp_surface *surface, const tp_fx place[2],
+                                         tp_fx step[2][2]);
 
 /* Returns the slopes in the format of the G-buffer: x:z, Q3.12 each. */
 static inline uint32_t tp_level_pack_slopes(const tp_surface_point *at)
@@ -122,8 +122,8 @@ struct tp_water_swells {
     tp_surface_point (*above)(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
                               tp_fx x, tp_fx z, tp_fx rest[2]);
     /* Returns a point of a screen grid over level water. */
-    tp_surface_point (*point)(const tp_level *level, const tp_surface *surface,
-                              const tp_fx place[2], tp_fx step[2][2]);
+    tp_surface_point (*point)(const tp_surface *surface, const tp_fx place[2],
+                              tp_fx step[2][2]);
     bool few;                   /* true: memory for the scene's own swells only */
 };
 

@@ -10,4 +10,4 @@ BOARD_C := $(addprefix ports/,$(addprefix cortex-m/,lm3s6965evb/main.c lm3s6965e
 # modules that command lines may switch on, except features that need a file or memory that
 # was not reserved: commands for them are refused.
 BAKE    := --size 128x64 --format l8 --band 8 --stream \
-           --with lighting,diffuse,reflectance,glint,sharp,paddle
+           --with lighting,diffuse,reflectance,glint,paddle
