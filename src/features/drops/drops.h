@@ -86,6 +86,13 @@ void tp_drops_rings_remove_spent(tp_drops *drops, int64_t now, tp_fx max_distanc
 /* Returns the drops of a world, or NULL. */
 const tp_drops *tp_world_drops(const tp_world *world);
 
+#define TP_DROPS_SPHERE_FAR (8000 * TP_FX_ONE)      /* of the sphere along x and z */
+
+/* drops_check.c: true if drops from outside, as they stood at `tick`, can be stepped and
+ * drawn.  All values that follow from the config must equal the values in `fresh`, a state
+ * of the same config.  Drops and rings must be in the ranges kept by steps. */
+bool tp_drops_are_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick);
+
 #define TP_DROPS_ID TP_MODULE_ID('d', 'r', 'o', 'p')
 
 /* Fills `to` with the rings at `time`, ticks x 65536, up to `room`.  Returns the count; 0

@@ -8,7 +8,6 @@
 #include "world/pools.h"
 
 #define MOST       1024
-#define SPHERE_FAR (8000 * TP_FX_ONE)
 
 enum { DROPS_AT = (sizeof(tp_drops) + 7) & ~7u };
 
@@ -64,7 +63,7 @@ const tp_ring *tp_drops_rings(const tp_drops *drops)
 
 static tp_fx clamp_sphere_coordinate(int64_t x)
 {
-    return (tp_fx)tp_clamp_abs(x, SPHERE_FAR);
+    return (tp_fx)tp_clamp_abs(x, TP_DROPS_SPHERE_FAR);
 }
 
 void tp_drops_move_releasing_sphere(tp_drops *drops, tp_fx dx, tp_fx dz)
@@ -178,54 +177,6 @@ void tp_drops_rings_remove_spent(tp_drops *drops, int64_t now, tp_fx max_distanc
         if (!tp_ring_is_spent(&ring[i], now, max_distance))
             ring[n++] = ring[i];
     drops->rings = n;
-}
-
-/* -- validation of a state from outside ---------------------------------------------- */
-
-static bool is_out_of_range(tp_fx x)
-{
-    return x != clamp_sphere_coordinate(x);
-}
-
-/* True if all members agree with `fresh`, except the members changed by steps. */
-static bool is_same_config(const tp_drops *drops, const tp_drops *fresh)
-{
-    return drops->capacity == fresh->capacity
-        && drops->ring_capacity == fresh->ring_capacity
-        && drops->sphere.y == fresh->sphere.y
-        && drops->sphere_radius == fresh->sphere_radius;
-}
-
-static bool is_releasing_sphere_valid(const tp_drops *drops)
-{
-    return !is_out_of_range(drops->sphere.x) && !is_out_of_range(drops->sphere.z)
-        && !is_out_of_range(drops->last_sphere.x) && !is_out_of_range(drops->last_sphere.y)
-        && !is_out_of_range(drops->last_sphere.z);
-}
-
-/* True if a drop can have raised the ring: within the drops' range, and not after
- * `tick`. */
-static bool is_ring_valid(const tp_ring *ring, uint64_t tick)
-{
-    return tp_ring_is_valid(ring) && ring->start >= 0
-        && (uint64_t)ring->start <= tick * TP_FX_ONE
-        && ring->x >= -TP_DROP_FAR && ring->x <= TP_DROP_FAR
-        && ring->z >= -TP_DROP_FAR && ring->z <= TP_DROP_FAR;
-}
-
-/* True if drops from outside, as they stood at `tick`, can be stepped and drawn.  All
- * values that follow from the config must equal the values in `fresh`, a state of the
- * same config.  Drops and rings must be in the ranges kept by steps. */
-static bool are_drops_valid(const tp_drops *drops, const tp_drops *fresh, uint64_t tick)
-{
-    bool valid = is_same_config(drops, fresh) && is_releasing_sphere_valid(drops)
-              && drops->count <= drops->capacity && drops->rings <= drops->ring_capacity;
-
-    for (uint32_t i = 0; valid && i < drops->count; i++)
-        valid = tp_drop_is_valid(&tp_drops_list(drops)[i]);
-    for (uint32_t i = 0; valid && i < drops->rings; i++)
-        valid = is_ring_valid(&tp_drops_rings(drops)[i], tick);
-    return valid;
 }
 
 /* -- the module's state -------------------------------------------------------------- */
@@ -380,7 +331,7 @@ static bool are_rings_valid(const tp_drops *drops, const rings_now *now, int64_t
 
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 {
-    return are_drops_valid(mine, fresh, world->tick)
+    return tp_drops_are_valid(mine, fresh, world->tick)
         && current_rings(mine)->room == current_rings(fresh)->room
         && are_rings_valid(mine, current_rings(mine), (int64_t)(world->tick * TP_FX_ONE));
 }
