@@ -252,13 +252,15 @@ static tp_grid *layout_grid(tp_frame_buffers *buffers, tp_arena *arena, tp_grid 
     return grid;
 }
 
-static uint32_t count_swells(const tp_scene *scene)
+/* Returns the number of swells that the world has room for. */
+static uint32_t most_swells(const tp_program *program, const tp_scene *scene)
 {
+    const struct tp_water_swells *swells = program->water.swells;
     uint32_t count = 0;
 
     for (int i = 0; i < TP_WAVES; i++)
         count += scene->wave[i].amplitude > 0;
-    return count;
+    return !swells ? 0 : swells->few ? count : TP_WAVES;
 }
 
 static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
@@ -269,7 +271,7 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
     tp_grid *grid = layout_grid(buffers, arena, &counted);
 
     (void)config;
-    tp_grid_layout(grid, arena, tp_fan_budget(scene), count_swells(scene),
+    tp_grid_layout(grid, arena, tp_fan_budget(scene), most_swells(program, scene),
                    tp_frame_is_grid_streamed(program, scene));
     buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
     if (buffers->filtered)

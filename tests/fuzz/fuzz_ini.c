@@ -21,8 +21,8 @@ static void require_scene(const scene_file *file, unsigned lines)
     const tp_param *rows = tp_params(&count);
     tp_scene usual;
     tp_scene_level(&usual);
-    usual.tank.sea = scene_file_older_sea(&file->scene);
-    usual.grid.vertices = scene_file_older_vertices(&file->scene);
+    usual.tank.sea = older_grid_sea(&file->older);
+    usual.grid.vertices = older_grid_vertices(&file->older, &file->scene);
     for (uint32_t i = 0; i < count; i++) {
         const size_t at = rows[i].offset, bytes = tp_param_is_text(&rows[i])
                                                 ? TP_NAME_BYTES : sizeof(int32_t);
