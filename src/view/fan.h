@@ -26,9 +26,9 @@
  * of deep-sea from 12.4 to 12.5 (of 255).  A pixel of distant water is longer than a cell,
  * and a slope without its height lies at the wrong place.  More vertices are cheaper.
  *
- * Vertices have no table for columns: every vertex evaluates its waves.  The weights of a
- * row's waves are not kept either: rows times waves need 3.5 KB in storm and would save less
- * than 0.3 M of its 70 M instructions a frame.
+ * Every vertex evaluates its waves.  The weights of a row's waves are not kept: rows times
+ * waves need 3.5 KB in storm and would save less than 0.3 M of its 70 M instructions a
+ * frame.
  *
  * Water that ends at the walls of a tank has rows along the tank's sides, with cells of
  * equal size (fan_tank.c).

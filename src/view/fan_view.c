@@ -97,7 +97,7 @@ static fan_ray make_ray(const tp_projection *p, tp_dir3 right, int32_t u, int32_
                       (w.east * right.x + w.south * right.z) >> 30, w.down };
 }
 
-#define ROLLED (TP_Q30_ONE / 64)        /* as in frame/scanline_grid.c */
+#define ROLLED (TP_Q30_ONE / 64)        /* sine of a roll that turns the rows */
 
 /* Returns an axis across the view: the camera's own right as long as that is level.  With a
  * roll, the level direction across the line of sight, since a row is as wide as the view at

@@ -43,14 +43,19 @@ static inline bool tp_has_floor(const tp_scene *scene)
     return scene->floor.depth > 0 || scene->floor.map[0];
 }
 
+/* True if pools or drops stir the water. */
+static inline bool tp_has_pools_or_drops(const tp_scene *scene)
+{
+    return scene->pool.cols > 0 || scene->field.cols > 0 || scene->drops.count > 0;
+}
+
 /* Returns the budget of vertices of the water's grid.  The defaults show the shipped
  * waves, the rings of raindrops, and the pool of a tank. */
 static inline uint32_t tp_fan_budget(const tp_scene *scene)
 {
-    const bool detailed = scene->pool.cols > 0 || scene->field.cols > 0
-                          || scene->drops.count > 0;
     const int32_t vertices = scene->grid.vertices > 0 ? scene->grid.vertices
-                           : tp_is_walled(scene) ? 10000 : detailed ? 6000 : 1400;
+                           : tp_is_walled(scene) ? 10000
+                           : tp_has_pools_or_drops(scene) ? 6000 : 1400;
 
     return vertices > 64 ? (uint32_t)vertices : 64;
 }

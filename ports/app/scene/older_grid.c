@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
+#include "world/pools.h"
 
 #define COLS 100                /* of a file that says rows alone, and the reverse */
 
@@ -69,9 +70,8 @@ int32_t older_grid_vertices(const older_grid *grid, const tp_scene *s)
 {
     const int64_t all = (int64_t)(grid->cols ? grid->cols : COLS)
                         * (grid->rows ? grid->rows : COLS);
-    const bool walled = s->tank.kind != TP_TANK_NONE && s->pool.cols > 0 && !s->tank.sea;
-    const bool detailed = s->pool.cols > 0 || s->field.cols > 0 || s->drops.count > 0;
-    const int64_t kept = walled ? all : detailed ? all * 3 / 5 : all / 3;
+    const int64_t kept = tp_is_walled(s) ? all
+                       : tp_has_pools_or_drops(s) ? all * 3 / 5 : all / 3;
 
     if (grid->cols == 0 && grid->rows == 0)
         return 0;

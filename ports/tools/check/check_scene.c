@@ -16,43 +16,33 @@
 #include "app/scene/scene_lines.h"
 #include "world/text.h"
 
-typedef struct { uint32_t line; const old_name *name; } renamed_line;
-typedef struct { uint32_t line; size_t value_bytes; } older_line;
+/* A line that is rewritten: with an old name, or with a row of the older grid (NULL). */
+typedef struct {
+    uint32_t        line;
+    const old_name *name;
+    size_t          value_bytes;
+} old_line;
 
 typedef struct {
     scene_file   *file;
-    renamed_line *renamed;      /* lines with old names */
-    size_t        n_renamed;
-    older_line   *older;        /* lines with rows of the older grid */
-    size_t        n_older;
+    old_line     *old;
+    size_t        n_old;
     unsigned      values, faults;
 } scene_check;
 
 /* -- lines --------------------------------------------------------------------------- */
 
-static bool add_renamed(scene_check *c, uint32_t line, const old_name *name)
+/* Notes a line with an old name, or with a row of the older grid: `name` is NULL. */
+static bool add_old(scene_check *c, uint32_t line, const old_name *name, size_t value_bytes)
 {
-    const size_t bytes = (c->n_renamed + 1) * sizeof *c->renamed;
-    renamed_line *more = realloc(c->renamed, bytes);
+    const size_t bytes = (c->n_old + 1) * sizeof *c->old;
+    old_line *more = realloc(c->old, bytes);
     if (!more) {
         log_fail_memory(bytes);
         return false;
     }
-    more[c->n_renamed++] = (renamed_line){ line, name };
-    c->renamed = more;
-    return true;
-}
-
-static bool add_older(scene_check *c, uint32_t line, size_t value_bytes)
-{
-    const size_t bytes = (c->n_older + 1) * sizeof *c->older;
-    older_line *more = realloc(c->older, bytes);
-    if (!more) {
-        log_fail_memory(bytes);
-        return false;
-    }
-    more[c->n_older++] = (older_line){ line, value_bytes };
-    c->older = more;
+    more[c->n_old++] = (old_line){ line, name, value_bytes };
+    c->old = more;
     return true;
 }
 
@@ -66,9 +56,9 @@ static bool take(void *user, uint32_t line, const char *section, const char *nam
     c->values++;
     c->faults += !scene_file_apply(c->file, place, line, full, value);
     if (older_grid_has_row(full))
-        return add_older(c, line, strlen(value));
+        return add_old(c, line, NULL, strlen(value));
     const old_name *old = old_name_find(full, strlen(full));
-    return !old || add_renamed(c, line, old);
+    return !old || add_old(c, line, old, strlen(value));
 }
 
 static int check_lines(scene_check *c)
@@ -88,10 +78,11 @@ static const char *member(const char *name)
 static int report(const scene_check *c)
 {
     const char *path = c->file->path;
-    for (size_t i = 0; i < c->n_renamed; i++)
-        log_line("%s:%u: %s is now called %s", path, (unsigned)c->renamed[i].line,
-                 c->renamed[i].name->old, c->renamed[i].name->now);
-    if (c->n_older)
+    for (size_t i = 0; i < c->n_old; i++)
+        if (c->old[i].name)
+            log_line("%s:%u: %s is now called %s", path, (unsigned)c->old[i].line,
+                     c->old[i].name->old, c->old[i].name->now);
+    if (c->file->older.line)
         log_line("%s:%u: grid.vertices = %d replaces the rows of the older grid", path,
                  (unsigned)c->file->older.line, (int)c->file->scene.grid.vertices);
     return log_fail(EXIT_CHECK,
@@ -111,13 +102,13 @@ static int write_lines(const scene_lines *l, const char *path)
 
 static int rename_lines(const scene_check *c, scene_lines *l)
 {
-    for (size_t i = 0; i < c->n_renamed; i++) {
-        const old_name *name = c->renamed[i].name;
-        if (!scene_lines_rename(l, c->renamed[i].line, member(name->old),
-                                member(name->now)))
+    for (size_t i = 0; i < c->n_old; i++) {
+        const old_name *name = c->old[i].name;
+        if (name && !scene_lines_rename(l, c->old[i].line, member(name->old),
+                                        member(name->now)))
             return log_fail(EXIT_INPUT, "%s:%u: %s cannot be rewritten: no memory, or the"
                             " file is being changed", c->file->path,
-                            (unsigned)c->renamed[i].line, name->old);
+                            (unsigned)c->old[i].line, name->old);
     }
     return EXIT_DONE;
 }
@@ -139,9 +130,10 @@ static bool append_older(const scene_check *c, scene_lines *l, const char *name)
 /* Puts grid.vertices in the place of the older grid's rows. */
 static int replace_older(const scene_check *c, scene_lines *l)
 {
-    for (size_t i = 0; i < c->n_older; i++)
-        scene_lines_value(l, c->older[i].line, LINE_OLDER_GRID, c->older[i].value_bytes);
-    if (c->n_older && !(append_older(c, l, "grid.vertices") && append_older(c, l, "tank.sea")))
+    for (size_t i = 0; i < c->n_old; i++)
+        if (!c->old[i].name)
+            scene_lines_value(l, c->old[i].line, LINE_OLDER_GRID, c->old[i].value_bytes);
+    if (c->file->older.line && !(append_older(c, l, "grid.vertices") && append_older(c, l, "tank.sea")))
         return log_fail_memory(TP_NAME_BYTES);
     scene_lines_remove(l, LINE_OLDER_GRID);
     return EXIT_DONE;
@@ -158,10 +150,11 @@ static int rewrite(const scene_check *c)
     if (!code)
         code = write_lines(&l, c->file->path);
     scene_lines_free(&l);
-    for (size_t i = 0; i < c->n_renamed && !code; i++)
-        printf("%s:%u: %s is now %s\n", c->file->path, (unsigned)c->renamed[i].line,
-               c->renamed[i].name->old, c->renamed[i].name->now);
-    if (c->n_older && !code)
+    for (size_t i = 0; i < c->n_old && !code; i++)
+        if (c->old[i].name)
+            printf("%s:%u: %s is now %s\n", c->file->path, (unsigned)c->old[i].line,
+                   c->old[i].name->old, c->old[i].name->now);
+    if (c->file->older.line && !code)
         printf("%s:%u: grid.vertices = %d replaces the rows of the older grid\n",
                c->file->path, (unsigned)c->file->older.line,
                (int)c->file->scene.grid.vertices);
@@ -185,7 +178,7 @@ static int check_file(loaded_scene *s, const options *o, scene_check *c)
     int code = check_lines(c);
     if (code)
         return code;
-    if (c->n_renamed || c->n_older)
+    if (c->n_old)
         code = o->write ? rewrite(c) : report(c);
     const int world = check_world(s, o);
     return world ? world : code;
@@ -200,8 +193,7 @@ int check_scene(const options *o)
         code = check_file(&s, o, &c);
     if (!code)
         printf("%s: %u values, no fault\n", s.file.path, c.values);
-    free(c.renamed);
-    free(c.older);
+    free(c.old);
     loaded_scene_close(&s);
     return code;
 }

@@ -59,8 +59,8 @@ typedef struct {
     tp_floor floor;
     tp_projection projection;
     tp_fan_view view;
-    tp_fan_law  law;            /* of a fan's rows */
-    tp_fan_row  line[2];        /* rows j and j + 1 of a fan */
+    tp_fan_law  law;            /* of the rows */
+    tp_fan_row  line[2];        /* the selected row and the next */
     int32_t  lines, columns;    /* lines of the grid */
     int64_t  deepest;           /* deepest floor exposed by a trough, m, Q16 */
     int32_t  cols, rows;        /* size of the picture, px */
@@ -126,7 +126,7 @@ static tp_fx longest_wave(const tp_scene *s, tp_fx *shortest)
     return longest;
 }
 
-/* Sets the grid's lines by the law of the fan. */
+/* Sets the grid's rows by the law of the fan. */
 static void set_lines(land_ground *g)
 {
     const tp_scene *s = g->scene;
