@@ -133,7 +133,8 @@ static int replace_older(const scene_check *c, scene_lines *l)
     for (size_t i = 0; i < c->n_old; i++)
         if (!c->old[i].name)
             scene_lines_value(l, c->old[i].line, LINE_OLDER_GRID, c->old[i].value_bytes);
-    if (c->file->older.line && !(append_older(c, l, "grid.vertices") && append_older(c, l, "tank.sea")))
+    if (c->file->older.line
+        && !(append_older(c, l, "grid.vertices") && append_older(c, l, "tank.sea")))
         return log_fail_memory(TP_NAME_BYTES);
     scene_lines_remove(l, LINE_OLDER_GRID);
     return EXIT_DONE;
