@@ -138,6 +138,7 @@ soak-tests: everything build/host/count.so
 	@TP_SOAK=1 TP_SCENES=10000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \
 	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
 	    tests/cross/run.sh tests/budgets/prices.sh tests/fuzz/run.sh \
+	    tests/budgets/models-count.sh tests/host/saves.sh tests/bench/views.sh \
 	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/% \
             %/test_world,$(UNIT)))
 fuzzers: $(FUZZ)

@@ -31,10 +31,10 @@ shared()
         cc -std=c11 -O2 -ffreestanding -mgeneral-regs-only -fno-pie -Iinclude -Isrc \
             -Werror -Wall -c "$file" -o "$scratch/interact-$(basename "$file" .c).o" || return 1
     done
-    nm -u "$scratch"/live-*.o | awk '
+    nm -u "$scratch"/interact-*.o | awk '
         NF == 2 && $2 !~ /^(mem(cpy|set)|tp_[a-z0-9_]*)$/ { print; bad = 1 }
         END { exit bad }' &&
-        size "$scratch"/live-*.o | awk 'NR > 1 && $2 + $3 > 0 { print; bad = 1 }
+        size "$scratch"/interact-*.o | awk 'NR > 1 && $2 + $3 > 0 { print; bad = 1 }
             END { exit bad }'
 }
 check "what interactive ports share is freestanding, and has no memory of its own" shared
