@@ -274,7 +274,8 @@ typedef struct tp_drawing {
     /* Adds the module's displacement to the water's surface of the drawn moment. */
     void  (*surface)(struct tp_frame *frame, void *mine, tp_surface *surface);
 
-    /* Sets the module's numbers for one picture.  Camera, light and surface are known. */
+    /* Sets the module's numbers for one picture.  Camera, light and surface are known;
+     * frame->under is known to the modules that follow `underwater` only. */
     void  (*begin)(struct tp_frame *frame, void *mine);
 
     /* Draws a picture for the water's stages, for example a mirror.  All shader lists and

@@ -112,6 +112,32 @@ static void set_pixel_rows_of_cell_row(const tp_frame *frame, const land *l, uin
     l->rows[j] = rows;
 }
 
+#define MAPPED TP_FX(0.1)       /* slope of beaches on a map */
+
+/* Sets the swash of the wave with the highest run-up by Hunt's law: slope sqrt(H L), at
+ * most twice the wave's height. An eye under water sees none: frame->under is known when
+ * all modules have begun. */
+static void set_swash(const tp_frame *frame, tp_land_look *look)
+{
+    const tp_deep_water *deep = &frame->world->deep;
+    const tp_fx slope = frame->assets.floor ? MAPPED : frame->scene->floor.slope;
+    const int32_t lit = tp_lit_share(frame->shade.ambient, frame->shade.world.ly);
+
+    look->runup = 0;
+    for (uint32_t i = 0; i < deep->count && !frame->under; i++) {
+        const int64_t height = 2 * (int64_t)deep->swell[i].amplitude;
+        const int64_t square = (height << 32) / (int64_t)deep->swell[i].turns;
+        const tp_fx up = tp_fx_mul(slope, tp_fx_sqrt(tp_fx_saturate(square)));
+        const tp_fx runup = up < 2 * height ? up : (tp_fx)(2 * height);
+        if (runup <= look->runup)
+            continue;
+        look->runup = runup;
+        look->phase = frame->drawn.phases[i];
+    }
+    look->foam = tp_colour_scale((uint32_t)frame->scene->foam.colour,
+                                 (uint32_t)(256 + lit) / 2);
+}
+
 /* Projects the land.  Land appears in the main view only, and needs grid vertices: only
  * some water renderers make them. */
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
@@ -122,6 +148,8 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
 
     (void)box;
     l->seen = view->picture && grid && frame->surface.coastal;
+    if (l->seen)
+        set_swash(frame, &l->look);
     for (uint32_t j = 0; l->seen && j < grid->rows; j++) {
         for (uint32_t i = 0; i < grid->cols; i++)
             place_corner(frame, l, i, j, deepest);
@@ -209,31 +237,6 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     return l;
 }
 
-#define MAPPED TP_FX(0.1)       /* slope of beaches on a map */
-
-/* Sets the swash of the wave with the highest run-up by Hunt's law: slope sqrt(H L), at
- * most twice the wave's height. */
-static void set_swash(const tp_frame *frame, tp_land_look *look)
-{
-    const tp_deep_water *deep = &frame->world->deep;
-    const tp_fx slope = frame->assets.floor ? MAPPED : frame->scene->floor.slope;
-    const int32_t lit = tp_lit_share(frame->shade.ambient, frame->shade.world.ly);
-
-    look->runup = 0;
-    for (uint32_t i = 0; i < deep->count && !frame->under; i++) {
-        const int64_t height = 2 * (int64_t)deep->swell[i].amplitude;
-        const int64_t square = (height << 32) / (int64_t)deep->swell[i].turns;
-        const tp_fx up = tp_fx_mul(slope, tp_fx_sqrt(tp_fx_saturate(square)));
-        const tp_fx runup = up < 2 * height ? up : (tp_fx)(2 * height);
-        if (runup <= look->runup)
-            continue;
-        look->runup = runup;
-        look->phase = frame->drawn.phases[i];
-    }
-    look->foam = tp_colour_scale((uint32_t)frame->scene->foam.colour,
-                                 (uint32_t)(256 + lit) / 2);
-}
-
 /* Sets the material of bare land: the colour of the floor, without highlights. */
 static void begin_land_material(tp_frame *frame, void *mine)
 {
@@ -243,7 +246,6 @@ static void begin_land_material(tp_frame *frame, void *mine)
         .diffuse = tp_frame_lit_colour(frame, (uint32_t)frame->scene->floor.colour),
         .gloss = tp_drop_gloss,
     };
-    set_swash(frame, &l->look);
 }
 
 /* True if land is textured and lit like the floor: beside clear water, with a floor
