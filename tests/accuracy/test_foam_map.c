@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam over a map of the floor goes on beyond the window of its cells.
+/* Foam over a floor goes on beyond the window of its cells.
  *
  * Pictures: a beach straight from above. Foam alone is the picture less the picture without
  * foam; rings lie around the eye. The scene's own window ends amid the rings, and a window
  * twice as wide has all of them inside its full weight: ring by ring the foam of both is the
  * same but for the clumps of single crests, and no ring is bare. By the same bounds the foam
  * of each ring is alike in water and in surf.
+ *
+ * A straight beach beyond the window: all foam in the picture is that of a window with the
+ * beach in it.
  *
  * Cover: the law by depth against the mean of a field's cells at the same depths. */
 #include <stdarg.h>
@@ -126,6 +129,54 @@ static void foam_goes_on_over_a_map(void **state)
     assert_int_equal(unlike, 0);
 }
 
+/* -- a straight beach ---------------------------------------------------------------- */
+
+static drawn_image draw_shore_break(const char *cells, const char *cell, uint32_t tick)
+{
+    const char *const set[] = { "camera.z=90", "camera.y=40", "camera.pitch=-18",
+                                "water.specular=0", cell, cells };
+    ref_stand stand;
+
+    assert_int_equal(ref_stand_open(&stand, "assets/scenes/shore-break.ini", set, 6, tick),
+                     0);
+    const drawn_image drawn = drawn_of(&stand, WIDTH, HEIGHT);
+    ref_stand_close(&stand);
+    return drawn;
+}
+
+/* Returns the mean of the foam in the picture's water over TICKS moments. */
+static double beach_foam(const char *cells, const char *cell)
+{
+    double sum = 0, pixels = 0;
+
+    for (uint32_t t = 0; t < TICKS; t++) {
+        drawn_image with = draw_shore_break(cells, cell, 300 + 130 * t);
+        drawn_image bare = draw_shore_break("foam.cells=0", cell, 300 + 130 * t);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            if (with.kind[i] != REF_WATER || bare.kind[i] != REF_WATER)
+                continue;
+            sum += ref_colour_unpack(with.pixel[i]).c[1]
+                 - ref_colour_unpack(bare.pixel[i]).c[1];
+            pixels++;
+        }
+        drawn_free(&with);
+        drawn_free(&bare);
+    }
+    return sum / pixels;
+}
+
+static void foam_goes_on_along_a_beach(void **state)
+{
+    const double by_depth = beach_foam("foam.cells=128", "foam.cell=0.4"),
+                 field = beach_foam("foam.cells=256", "foam.cell=1.2");
+
+    (void)state;
+    printf("    foam of a beach 71 m away: by the depth %.2f, of the field %.2f\n",
+           by_depth, field);
+    assert_true(field > 2);
+    assert_true(is_alike(by_depth, field));
+}
+
 /* -- cover --------------------------------------------------------------------------- */
 
 typedef struct {
@@ -214,6 +265,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(foam_goes_on_over_a_map),
+        cmocka_unit_test(foam_goes_on_along_a_beach),
         cmocka_unit_test(cover_by_depth_is_the_mean_of_the_field),
         cmocka_unit_test(window_that_moves_has_foam),
     };

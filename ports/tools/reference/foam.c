@@ -59,17 +59,17 @@ static void set_far_foam(ref_foam *f, const tp_world *world, double mean)
     f->slope = 2 * sqrt(square);
 }
 
-/* Sets the cover over a map of the floor: the means are the world's, as data. */
+/* Sets the cover by the depth of the floor: the means are the world's, as data. */
 static void set_surf(ref_foam *f, const tp_world *world, const tp_scene *scene,
                      const tp_foam *foam)
 {
-    const tp_coastal_water *map = tp_foam_map(world);
+    const tp_coastal_water *coastal = tp_world_coastal(world);
     const tp_deep_water *deep = &world->deep;
     double most = 0;
     tp_foam_maker make;
 
-    f->mapped = true;
-    f->deep = ref_number(tp_coastal_breaking_foam_depth(map));
+    f->by_depth = true;
+    f->deep = ref_number(tp_coastal_breaking_foam_depth(coastal));
     for (uint32_t i = 0; i < deep->count; i++) {
         const double ticks = 1 / ldexp((double)deep->swell[i].turns_tick, -64);
         if (ref_number(deep->swell[i].amplitude) > most)
@@ -84,8 +84,9 @@ static void set_surf(ref_foam *f, const tp_world *world, const tp_scene *scene,
             foam->visits / TP_FOAM_TICKS) / 255.0;
 }
 
-/* Sets the direction of a straight beach if its water line crosses the window. */
-static void set_shore(ref_foam *f, const tp_scene *scene)
+/* Sets the direction of a straight beach if its water line passes the window's middle within
+ * half of the radius; else returns false. */
+static bool set_shore(ref_foam *f, const tp_scene *scene)
 {
     const double heading = ref_number(scene->floor.heading) * RADIAN;
     const double radius = f->cells * f->cell / 2, slope = ref_number(scene->floor.slope);
@@ -94,10 +95,11 @@ static void set_shore(ref_foam *f, const tp_scene *scene)
     const double depth =
         ref_number(scene->floor.depth) - slope * (x * sin(heading) - z * cos(heading));
 
-    if (fabs(depth) >= slope * radius)
-        return;
+    if (fabs(depth) >= slope * radius / 2)
+        return false;
     f->shore_x = cos(heading);
     f->shore_z = sin(heading);
+    return true;
 }
 
 void ref_foam_open(ref_scene *s, const tp_world *world)
@@ -116,11 +118,12 @@ void ref_foam_open(ref_scene *s, const tp_world *world)
         .drift_z = lattice_origin(foam->drift_z, map->drift_z, back),
         .fades = !tp_world_pool(world),
     };
-    if (s->foam.fades && tp_has_floor(s->scene) && !s->assets->floor)
-        set_shore(&s->foam, s->scene);
-    else if (s->foam.fades)
-        set_far_foam(&s->foam, world, tp_foam_open_mean(foam, world) / 65280.0);
-    if (tp_foam_map(world))
+    const bool floor = s->foam.fades && tp_has_floor(s->scene);
+    const bool straight = floor && !s->assets->floor;
+    if (s->foam.fades)
+        set_far_foam(&s->foam, world,
+                     straight ? 0 : tp_foam_open_mean(foam, world) / 65280.0);
+    if (floor && tp_world_coastal(world) && !(straight && set_shore(&s->foam, s->scene)))
         set_surf(&s->foam, world, s->scene, foam);
     if (s->assets->foam)
         make_ranks(&s->foam, s->assets->foam);
@@ -192,8 +195,8 @@ static double open_cover(const ref_foam *f, const ref_water *w)
     return up < 0 ? 0 : fmin(f->far_old + f->far_fresh * square * up * up, FAR_MOST);
 }
 
-/* Cover over a map of the floor: the mean of the surf at the depth, more on the waves'
- * backs and less on their fronts, and the share of open water. */
+/* Cover by the depth of the floor: the mean of the surf, more on the waves' backs and less
+ * on their fronts, and the share of open water. */
 static double surf_cover(const ref_scene *s, const ref_water *w)
 {
     const ref_foam *f = &s->foam;
@@ -214,7 +217,7 @@ static double far_cover(const ref_scene *s, const ref_water *w)
 {
     const ref_foam *f = &s->foam;
 
-    if (f->mapped)
+    if (f->by_depth)
         return surf_cover(s, w);
     if (f->shore_x != 0 || f->shore_z != 0)
         return shore_cover(f, w->x0, w->z0);

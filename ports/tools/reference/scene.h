@@ -44,7 +44,7 @@ typedef struct {
                                  * the slope's fourth power */
     double  way_x, way_z;       /* unit vector of the waves' mean way */
     double  shore_x, shore_z;   /* direction of a straight beach; both 0: none */
-    bool    mapped;             /* the depth over a map gives the far cover, by ... */
+    bool    by_depth;           /* the floor's depth gives the far cover, by ... */
     double  surf[REF_SURF + 1]; /* ... its mean at even depths from 0 to 2 `deep` */
     double  deep;               /* depth from which on crests of open water foam, m */
     double  swing, slope;       /* share of the mean between waves' backs and fronts; slope

@@ -12,7 +12,7 @@
  *     foam_access.c    cover by place, and means
  *     foam_drawing.c   the data of a frame
  *     foam_stage.c     the span stages
- *     foam_surf.c      cover beyond the window over a map of the floor
+ *     foam_surf.c      cover beyond the window by the depth of the floor
  *     foam_cover.h     cover beyond the window over open water
  */
 #ifndef TP_FEATURES_FOAM_FOAM_H
@@ -150,7 +150,7 @@ uint8_t tp_foam_map_mean(const tp_foam_maker *m, tp_fx x);
 
 /* -- data of the stages, in tp_run.mine ---------------------------------------------- */
 
-enum { TP_FOAM_BEACH = 1, TP_FOAM_MAP };
+enum { TP_FOAM_BEACH = 1, TP_FOAM_DEPTH };
 
 typedef struct {
     const uint8_t *cover;       /* torus of cells x cells bytes */
@@ -174,15 +174,18 @@ typedef struct {
     int32_t  lod;
     int16_t  mean;              /* rank of the texture's mean */
     uint16_t floor;             /* foam beyond the window over a floor, if far_fresh is 0:
-                                 * 0 none, TP_FOAM_BEACH, or TP_FOAM_MAP: a tp_foam_surf
-                                 * follows */
+                                 * 0 none, TP_FOAM_BEACH, or TP_FOAM_DEPTH by the
+                                 * tp_foam_surf that follows */
+    bool     has_surf;          /* true: a tp_foam_surf follows */
     uint8_t  rank[256];         /* share of darker texels, by green, 0..255 */
 } tp_shade_foam;
 
-/* Foam beyond the window over a map of the floor.  Means at the depths of the tables of
- * coastal water, and cover of its open water as in tp_shade_foam. */
+/* Foam beyond the window by the depth of the floor, a map or a plane.  Means at the depths
+ * of the tables of coastal water, and cover of its open water as in tp_shade_foam. */
 typedef struct {
-    const tp_coastal_floor_node *node;      /* the map's, row by row */
+    tp_fx    depth;             /* a plane: its depth at the origin, m, ... */
+    int32_t  rise_x, rise_z;    /* ... and its rise, Q30 */
+    const tp_coastal_floor_node *node;      /* the map's, row by row; NULL: a plane */
     uint32_t cols;
     tp_fx    map_x, map_z;      /* its north-west node, m, ... */
     uint32_t last_x, last_z;    /* ... and the way to the last node, m, 16.16, less one unit */
@@ -197,10 +200,10 @@ typedef struct {
 typedef struct {
     tp_shade_foam foam;
     tp_foam_surf  surf;
-} tp_shade_foam_mapped;
+} tp_shade_foam_surf;
 
 /* Sets the data of surf; way and per_square of `foam` are set. */
-void tp_foam_surf_begin(tp_shade_foam_mapped *foam, const tp_foam *field,
+void tp_foam_surf_begin(tp_shade_foam_surf *foam, const tp_foam *field,
                         const tp_world *world, const tp_scene *scene);
 
 /* name, slopes bent by a ripple, glint below the foam */

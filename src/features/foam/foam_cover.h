@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cover beyond the window: of open water, by the slope of the drawn water; over a map. */
+/* Cover beyond the window: of open water, by the slope of the drawn water; by the depth. */
 #ifndef TP_FEATURES_FOAM_FOAM_COVER_H
 #define TP_FEATURES_FOAM_FOAM_COVER_H
 #include "features/foam/foam.h"
@@ -38,7 +38,7 @@ TP_ALWAYS_INLINE uint32_t tp_foam_open_cover(const tp_shade_foam *f, uint32_t fa
     return cover < TP_FOAM_FAR_MOST ? cover : TP_FOAM_FAR_MOST;
 }
 
-/* Returns the cover 0..255 over a map, TP_FOAM_MAP, at sample i of a run; v as above. */
+/* Returns the cover 0..255 by the depth, TP_FOAM_DEPTH, at sample i of a run; v as above. */
 uint32_t tp_foam_surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
                             uint32_t v);
 

@@ -76,15 +76,15 @@ static void set_mean_way(tp_shade_foam *f, const tp_world *world)
 }
 
 /* Sets the direction of a straight beach, at right angles to the floor's rise, if its water
- * line crosses the window.  A stretch of 7/8 of the window's radius repeats, so the stretch
- * and its seam lie well inside. */
+ * line passes the window's middle within half of the radius.  A stretch of 7/8 of the
+ * window's radius repeats, so the stretch and its seam have their full weight. */
 static void set_shore(tp_shade_foam *f, const tp_scene *scene)
 {
     const tp_turn rise = tp_turn_of_degrees(scene->floor.heading);
     const int64_t x = (int64_t)f->low_s + f->side / 2, z = (int64_t)f->low_t + f->side / 2;
     const int64_t up = (x * (tp_sin(rise) / 65536) - z * (tp_cos(rise) / 65536)) >> 14;
     const int64_t depth = scene->floor.depth - (up * scene->floor.slope >> 16);
-    const int64_t most = (int64_t)(f->side / 2) * scene->floor.slope >> 16;
+    const int64_t most = (int64_t)(f->side / 4) * scene->floor.slope >> 16;
 
     if (depth >= most || -depth >= most)
         return;
@@ -111,7 +111,8 @@ static void set_open_water(tp_shade_foam *f, uint32_t mean)
 }
 
 /* Sets the foam beyond the window: none where walls bound the foam, the field along a
- * straight beach, the depth's mean over a map of the floor, else the field's mean. */
+ * straight beach, the field's mean where there is no floor or a map.  Over a map, and over a
+ * beach whose line is farther away, the depth then replaces it (foam_surf.c). */
 static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam *foam)
 {
     const bool pool = tp_world_pool(frame->world) != NULL;
@@ -141,7 +142,8 @@ static void begin_foam(tp_frame *frame, void *mine)
     f->colour = (uint32_t)scene->foam.colour;
     place_foam(f, foam, &scene->foam.map, frame->world->lag);
     set_far_foam(frame, f, foam);
-    if (frame->assets.floor && tp_foam_map(frame->world))
+    if (f->has_surf && f->floor != TP_FOAM_BEACH && f->edge != UINT32_MAX
+        && tp_world_coastal(frame->world))
         tp_foam_surf_begin(mine, foam, frame->world, scene);
 }
 
@@ -152,18 +154,26 @@ static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *s
         tp_shaders_add(list, TP_AT_MATT, stage[list->rippled + 2 * list->shines], mine);
 }
 
+/* True for foam over a floor: a tp_foam_surf follows its data. */
+static bool has_surf(const tp_scene *scene)
+{
+    return tp_has_floor(scene) && scene->pool.cols == 0;
+}
+
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    return tp_arena_alloc(arena, 1, conditions->assets && conditions->assets->floor
-                                        ? sizeof(tp_shade_foam_mapped)
-                                        : sizeof(tp_shade_foam));
+    return tp_arena_alloc(arena, 1, has_surf(conditions->scene) ? sizeof(tp_shade_foam_surf)
+                                                                : sizeof(tp_shade_foam));
 }
 
 static void init(tp_frame *frame, void *mine)
 {
-    memset(mine, 0, sizeof(tp_shade_foam));
+    tp_shade_foam *f = mine;
+
+    memset(f, 0, sizeof *f);
+    f->has_surf = has_surf(frame->scene);
     if (frame->assets.foam)
-        tp_shade_foam_make_ranks(mine, frame->assets.foam);
+        tp_shade_foam_make_ranks(f, frame->assets.foam);
 }
 
 const tp_drawing tp_foam_drawing = {

@@ -282,7 +282,7 @@ static uint32_t filtered_variance(const tp_shade *shade, const tp_shade_foam *f,
 /* Returns the cover 0..255 beyond the window over a floor. */
 static uint32_t floor_cover(const tp_shade_foam *f, const tp_run *run, int32_t i, uint32_t v)
 {
-    return f->floor == TP_FOAM_MAP ? tp_foam_surf_cover(f, run, i, v)
+    return f->floor == TP_FOAM_DEPTH ? tp_foam_surf_cover(f, run, i, v)
                                    : shore_cover(f, run->s[i], run->t[i]);
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam beyond the window over a map of the floor.
+/* Foam beyond the window over a map of the floor, and over a straight beach that is
+ * far from the window's middle.
  *
  * The depth gives the mean of the cover: the mean of the gains by breaking and by the
  * shore, in balance with fading.  Waves that break pass every place once in a period: their
@@ -10,7 +11,8 @@
  * the field in open water, in the share that the depth leaves them.
  *
  * Left out: foam that drifts away from where it is made, and the clumps of crests that
- * break by noise; the noise widens the zone of the mean. */
+ * break by noise; the noise widens the zone of the mean.  Off a straight beach open water
+ * has no foam beyond the window. */
 #include "base/base.h"
 #include "features/foam/foam_cover.h"
 #include "waves/coastal_tables.h"
@@ -66,18 +68,33 @@ static void set_nodes(tp_foam_surf *surf, const tp_coastal_water *map)
     surf->per_step = (uint32_t)(((uint64_t)1 << 40) / map->map_step);
 }
 
-void tp_foam_surf_begin(tp_shade_foam_mapped *mapped, const tp_foam *field,
+/* Sets the plane of a straight beach: its direction is at right angles to the rise. */
+static void set_plane(tp_foam_surf *surf, const tp_scene *scene)
+{
+    const tp_turn rise = tp_turn_of_degrees(scene->floor.heading);
+
+    surf->node = NULL;
+    surf->depth = scene->floor.depth;
+    surf->rise_x = (int32_t)((int64_t)tp_sin(rise) * scene->floor.slope >> 16);
+    surf->rise_z = -(int32_t)((int64_t)tp_cos(rise) * scene->floor.slope >> 16);
+}
+
+void tp_foam_surf_begin(tp_shade_foam_surf *both, const tp_foam *field,
                         const tp_world *world, const tp_scene *scene)
 {
-    tp_shade_foam *f = &mapped->foam;
-    tp_foam_surf *surf = &mapped->surf;
+    tp_shade_foam *f = &both->foam;
+    tp_foam_surf *surf = &both->surf;
+    const tp_coastal_water *map = tp_foam_map(world);
     const uint32_t root = tp_isqrt64(((uint64_t)1 << 32) / f->per_square);  /* Q12 */
 
-    set_nodes(surf, tp_foam_map(world));
+    if (map)
+        set_nodes(surf, map);
+    else
+        set_plane(surf, scene);
     surf->open_fresh = f->far_fresh;
     surf->open_old = f->far_old;
     f->far_fresh = 0;
-    f->floor = TP_FOAM_MAP;
+    f->floor = TP_FOAM_DEPTH;
     surf->per_slope = (1u << 23) / (root > SLOPE_LEAST ? root : SLOPE_LEAST);
     surf->swing = world->deep.count ? period_swing(world, scene) : 0;
     make_means(surf, field, world, scene);
@@ -103,10 +120,19 @@ TP_ALWAYS_INLINE uint32_t node_coordinate(const tp_foam_surf *surf, uint32_t pla
     return (uint32_t)((uint64_t)(way < last ? way : last) * surf->per_step >> 24);
 }
 
+/* Returns a plane's depth at a place, m. */
+static tp_fx plane_depth(const tp_foam_surf *surf, uint32_t s, uint32_t t)
+{
+    const int64_t up = (int64_t)(tp_fx)s * surf->rise_x + (int64_t)(tp_fx)t * surf->rise_z;
+    return tp_fx_saturate(surf->depth - (up >> 30));
+}
+
 /* Returns the depth at a place, m, or `deepest` if the four nodes around are all as deep,
  * the case of most water.  Outside of the map the depth of its edge goes on. */
 TP_ALWAYS_INLINE tp_fx shallow_depth(const tp_foam_surf *surf, uint32_t s, uint32_t t)
 {
+    if (!surf->node)
+        return plane_depth(surf, s, t);
     const uint32_t u = node_coordinate(surf, s, surf->map_x, surf->last_x);
     const uint32_t v = node_coordinate(surf, t, surf->map_z, surf->last_z);
     const tp_coastal_floor_node *n = surf->node + (v >> 16) * surf->cols + (u >> 16);
@@ -125,7 +151,7 @@ TP_ALWAYS_INLINE tp_fx shallow_depth(const tp_foam_surf *surf, uint32_t s, uint3
 uint32_t tp_foam_surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
                             uint32_t v)
 {
-    const tp_foam_surf *surf = &((const tp_shade_foam_mapped *)(const void *)f)->surf;
+    const tp_foam_surf *surf = &((const tp_shade_foam_surf *)(const void *)f)->surf;
     const tp_fx depth = shallow_depth(surf, run->s[i], run->t[i]);
 
     if (depth <= 0 || depth >= surf->deepest)
