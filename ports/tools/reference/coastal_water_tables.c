@@ -91,7 +91,8 @@ static void add_phases(const ref_coastal *o, ref_coastal_wave *w, double kz)
         double f[3];
         for (int j = 0; j < 3; j++) {
             const double h = table_depth(i) * exp(j * step / 2);
-            f[j] = (across(ref_depth_number(w->deep.k, h), kz) - deep) * h;
+            const double k = j ? ref_depth_number(w->deep.k, h) : w->node[i].k;
+            f[j] = (across(k, kz) - deep) * h;
         }
         sum += step / 6 * (f[0] + 4 * f[1] + f[2]);
         w->node[i].excess = (up < 0 ? -sum : sum) / o->slope;
