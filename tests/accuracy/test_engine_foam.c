@@ -109,35 +109,36 @@ static void open_row(const foam_row *r, ref_stand *stand)
 }
 
 /* Draws the reference's picture, without foam and spray if told. */
-static void draw_reference(const ref_stand *stand, bool foam, bool spray, ref_image *image)
+static void draw_reference(const ref_scene *whole, bool foam, bool spray, ref_image *image)
 {
-    ref_scene scene;
+    ref_scene scene = *whole;
 
-    ref_scene_open(&scene, &stand->file.scene, &stand->assets.names, stand->world, WIDTH,
-                   HEIGHT, true);
     if (!foam)
         scene.foam.cover = NULL;
     if (!spray)
         scene.specks = 0;
     ref_image_draw(image, &scene, WIDTH, HEIGHT, 1, 1);
-    ref_scene_close(&scene);
 }
 
 static bool is_near(const foam_row *r)
 {
     ref_stand stand;
+    ref_scene scene;
     ref_image image, bare, still;
     double spray[2] = { 0, 0 };
     uint32_t specks = 0;
 
     open_row(r, &stand);
     drawn_image drawn = drawn_of(&stand, WIDTH, HEIGHT);
-    draw_reference(&stand, true, true, &image);
-    draw_reference(&stand, false, false, &bare);
+    ref_scene_open(&scene, &stand.file.scene, &stand.assets.names, stand.world, WIDTH,
+                   HEIGHT, true);
+    scene.surface.memory = memory_new();
+    draw_reference(&scene, true, true, &image);
+    draw_reference(&scene, false, false, &bare);
     const double both = difference_mean(&drawn, &image),
                  without = difference_mean(&drawn, &bare);
     if (r->specks > 0) {
-        draw_reference(&stand, true, false, &still);
+        draw_reference(&scene, true, false, &still);
         specks = compare_specks(&drawn, &image, &still, spray);
         ref_image_free(&still);
     }
@@ -146,6 +147,8 @@ static bool is_near(const foam_row *r)
            without, spray[0] / fmax(spray[1], 1e-9), specks);
     ref_image_free(&bare);
     ref_image_free(&image);
+    free(scene.surface.memory);
+    ref_scene_close(&scene);
     drawn_free(&drawn);
     ref_stand_close(&stand);
     return both <= r->both && both <= r->most * without

@@ -57,12 +57,8 @@ typedef struct {
 static void add_picture(ring_sums *rings, const ref_stand *stand, const drawn_image *with,
                         const drawn_image *bare)
 {
-    ref_scene scene;
+    const ref_camera c = ref_scene_camera(&stand->file.scene, stand->world, WIDTH, HEIGHT);
 
-    ref_scene_open(&scene, &stand->file.scene, &stand->assets.names, stand->world, WIDTH,
-                   HEIGHT, true);
-    const ref_camera c = scene.camera;
-    ref_scene_close(&scene);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
         const double u = (i % WIDTH + 0.5 - c.u0) / c.focal;
         const double v = (c.v0 - i / WIDTH - 0.5) / c.focal;
@@ -77,21 +73,36 @@ static void add_picture(ring_sums *rings, const ref_stand *stand, const drawn_im
     }
 }
 
-static void look(ring_sums *rings, const char *const place[2], const char *cells)
+/* Steps to picture `t` of a row of pictures. */
+static void step_to(ref_stand *stand, uint32_t t)
 {
-    *rings = (ring_sums){ { 0 }, { 0 } };
+    while (stand->world->tick < 300 + 130 * t)
+        tp_world_step(&tp_program_all, stand->world, &stand->file.scene, NULL);
+}
+
+/* Foam in the scene's own window and in a wide window, less the same water without foam. */
+static void look(ring_sums rings[2], const char *const place[2])
+{
+    static const char *const cells[3] = { "foam.cells=128", "foam.cells=256",
+                                          "foam.cells=0" };
+    ref_stand stand[3];
+
+    memset(rings, 0, 2 * sizeof *rings);
+    for (int i = 0; i < 3; i++)
+        open_beach(&stand[i], place, 0, cells[i], NULL);
     for (uint32_t t = 0; t < TICKS; t++) {
-        ref_stand stand, plain;
-        open_beach(&stand, place, 300 + 130 * t, cells, NULL);
-        open_beach(&plain, place, 300 + 130 * t, "foam.cells=0", NULL);
-        drawn_image with = drawn_of(&stand, WIDTH, HEIGHT);
-        drawn_image bare = drawn_of(&plain, WIDTH, HEIGHT);
-        add_picture(rings, &stand, &with, &bare);
-        drawn_free(&with);
-        drawn_free(&bare);
-        ref_stand_close(&plain);
-        ref_stand_close(&stand);
+        drawn_image drawn[3];
+        for (int i = 0; i < 3; i++) {
+            step_to(&stand[i], t);
+            drawn[i] = drawn_of(&stand[i], WIDTH, HEIGHT);
+        }
+        for (int i = 0; i < 2; i++)
+            add_picture(&rings[i], &stand[i], &drawn[i], &drawn[2]);
+        for (int i = 0; i < 3; i++)
+            drawn_free(&drawn[i]);
     }
+    for (int i = 0; i < 3; i++)
+        ref_stand_close(&stand[i]);
 }
 
 static bool is_alike(double a, double b)
@@ -101,15 +112,14 @@ static bool is_alike(double a, double b)
 
 static int check_place(const char *const place[2])
 {
-    static ring_sums own, wide;
+    ring_sums rings[2];
     double beyond = 0;
     int unlike = 0;
 
-    look(&own, place, "foam.cells=128");
-    look(&wide, place, "foam.cells=256");
+    look(rings, place);
     for (int i = 0; i < RINGS; i++) {
-        const double a = own.sum[i] / fmax(own.pixels[i], 1),
-                     b = wide.sum[i] / fmax(wide.pixels[i], 1);
+        const double a = rings[0].sum[i] / fmax(rings[0].pixels[i], 1),
+                     b = rings[1].sum[i] / fmax(rings[1].pixels[i], 1);
         printf("    %s, %s: %2.0f m%s foam %6.2f, in a wide window %6.2f\n", place[0],
                place[1], RING * i, RING * i >= RADIUS ? " beyond" : "       ", a, b);
         unlike += !is_alike(a, b);
@@ -211,15 +221,16 @@ static void add_cells(depth_sums *sums, ref_stand *stand)
 static int check_depths(const char *fade)
 {
     static depth_sums sums;
+    ref_stand stand;
     int unlike = 0;
 
     sums = (depth_sums){ { 0 }, { 0 }, { 0 } };
+    open_beach(&stand, places[0], 0, "foam.cells=256", fade);
     for (uint32_t t = 0; t < TICKS; t++) {
-        ref_stand stand;
-        open_beach(&stand, places[0], 300 + 130 * t, "foam.cells=256", fade);
+        step_to(&stand, t);
         add_cells(&sums, &stand);
-        ref_stand_close(&stand);
     }
+    ref_stand_close(&stand);
     for (int i = 0; i < DEPTHS; i++) {
         const double n = fmax(sums.cells[i], 1), a = sums.law[i] / n, b = sums.field[i] / n;
         printf("    %-10s %4.2f m: cover by depth %5.1f, field %5.1f in %5.0f cells\n",

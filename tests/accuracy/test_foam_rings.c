@@ -49,14 +49,14 @@ static const char *const over_beach[] = { "camera.y=90", "camera.pitch=-89" };
 static const char *const oblique[] = { "camera.y=150", "camera.pitch=-60" };
 
 static void open_scene(ref_stand *stand, const char *name, const char *const view[2],
-                       uint32_t tick, bool foam)
+                       bool foam)
 {
     const char *const set[SETTINGS] = { view[0], view[1], "spray.count=0", "foam.hull=0",
                                         "water.specular=0", "foam.cells=0" };
     char path[64];
 
     snprintf(path, sizeof path, "assets/scenes/%s.ini", name);
-    assert_int_equal(ref_stand_open(stand, path, set, SETTINGS - foam, tick), 0);
+    assert_int_equal(ref_stand_open(stand, path, set, SETTINGS - foam, 0), 0);
 }
 
 /* Adds a pixel's foam at an offset from the eye, m. On a beach that rises at a heading,
@@ -89,12 +89,8 @@ static void add_pixel(ring_sums *s, double radius, double beach, double dx, doub
 static void add_picture(foam_rings *r, uint32_t t, const ref_stand *stand,
                         const drawn_image *with, const drawn_image *bare)
 {
-    ref_scene scene;
+    const ref_camera c = ref_scene_camera(&stand->file.scene, stand->world, WIDTH, HEIGHT);
 
-    ref_scene_open(&scene, &stand->file.scene, &stand->assets.names, stand->world, WIDTH,
-                   HEIGHT, true);
-    const ref_camera c = scene.camera;
-    ref_scene_close(&scene);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
         const double u = (i % WIDTH + 0.5 - c.u0) / c.focal;
         const double v = (c.v0 - i / WIDTH - 0.5) / c.focal;
@@ -109,24 +105,33 @@ static void add_picture(foam_rings *r, uint32_t t, const ref_stand *stand,
     }
 }
 
+static void step_to(ref_stand *stand, uint32_t tick)
+{
+    while (stand->world->tick < tick)
+        tp_world_step(&tp_program_all, stand->world, &stand->file.scene, NULL);
+}
+
 static void look(foam_rings *rings, const char *name, const char *const view[2])
 {
+    ref_stand stand, plain;
+
     *rings = (foam_rings){ .name = name };
+    open_scene(&stand, name, view, true);
+    open_scene(&plain, name, view, false);
+    rings->radius = stand.file.scene.foam.cells * (stand.file.scene.foam.cell / 131072.0);
+    rings->beach = tp_has_floor(&stand.file.scene)
+                 ? stand.file.scene.floor.heading / 65536.0 * 0.0174532925 : (double)NAN;
     for (uint32_t t = 0; t < TICKS; t++) {
-        ref_stand stand, plain;
-        open_scene(&stand, name, view, 240 + 150 * t, true);
-        open_scene(&plain, name, view, 240 + 150 * t, false);
+        step_to(&stand, 240 + 150 * t);
+        step_to(&plain, 240 + 150 * t);
         drawn_image with = drawn_of(&stand, WIDTH, HEIGHT);
         drawn_image bare = drawn_of(&plain, WIDTH, HEIGHT);
-        rings->radius = stand.file.scene.foam.cells * (stand.file.scene.foam.cell / 131072.0);
-        rings->beach = tp_has_floor(&stand.file.scene)
-                     ? stand.file.scene.floor.heading / 65536.0 * 0.0174532925 : (double)NAN;
         add_picture(rings, t, &stand, &with, &bare);
         drawn_free(&with);
         drawn_free(&bare);
-        ref_stand_close(&plain);
-        ref_stand_close(&stand);
     }
+    ref_stand_close(&plain);
+    ref_stand_close(&stand);
 }
 
 /* -- the bounds ---------------------------------------------------------------------- */

@@ -71,6 +71,7 @@ static void compare(const light_row *r, double mean[2])
     open_stand(&stand, r);
     ref_scene_open(&scene, &stand.file.scene, &stand.assets.names, stand.world, r->width,
                    height, true);
+    scene.surface.memory = memory_new();
     drawn_image drawn = drawn_of(&stand, r->width, height);
     for (int k = 0; k < 2; k++) {
         ref_image image;
@@ -82,6 +83,7 @@ static void compare(const light_row *r, double mean[2])
         stand.file.scene.sky.stars = 0;
     }
     drawn_free(&drawn);
+    free(scene.surface.memory);
     ref_scene_close(&scene);
     ref_stand_close(&stand);
 }

@@ -63,6 +63,16 @@ static inline drawn_image drawn_of(const ref_stand *stand, uint32_t width,
     return image;
 }
 
+/* Memory of rays for several reference pictures of one surface; to be freed. */
+static inline ref_memory *memory_new(void)
+{
+    ref_memory *memory = calloc(1, sizeof *memory);
+
+    if (!memory)
+        abort();
+    return memory;
+}
+
 static inline void drawn_free(drawn_image *image)
 {
     free(image->pixel);

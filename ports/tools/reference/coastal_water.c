@@ -74,22 +74,36 @@ static int around(int i)
     return i < 0 ? 0 : i < REF_DEPTHS ? i : REF_DEPTHS - 1;
 }
 
-#define NODE(field) \
-    cubic((const double[4]){ w->node[around(i - 1)].field, w->node[i].field, \
-                             w->node[around(i + 1)].field, \
-                             w->node[around(i + 2)].field }, s)
+/* Place of a depth in the tables of all waves. */
+typedef struct {
+    int    node[4];             /* nodes of the cubic */
+    double s, left;             /* place between the inner nodes; share of the orbit */
+} table_place;
 
-/* Table entry for a depth. Below 1/16 m the entry of 1/16 m holds, and its orbit shrinks
- * with the depth. */
-static ref_depth_node interpolate_node(const ref_coastal_wave *w, double depth)
+/* Below 1/16 m the entry of 1/16 m holds, and its orbit shrinks with the depth. */
+static table_place place_of_depth(double depth)
 {
     const double at = held(log2(fmax(depth, 1 / 16.0) * 16) * 64, 0, REF_DEPTHS - 1);
     const int i = (int)at;
-    const double s = at - i, left = fmin(1, depth * 16);
 
-    return (ref_depth_node){ NODE(k), NODE(along) * left, NODE(up) * left,
-                             NODE(push) * left, NODE(way_x), NODE(way_z), NODE(sine),
-                             NODE(excess) };
+    return (table_place){ { around(i - 1), i, around(i + 1), around(i + 2) }, at - i,
+                          fmin(1, depth * 16) };
+}
+
+/* Table entry for a depth. */
+static ref_depth_node interpolate_node(const ref_coastal_wave *w, const table_place *at)
+{
+    const ref_depth_node *a = &w->node[at->node[0]], *b = &w->node[at->node[1]],
+                         *c = &w->node[at->node[2]], *d = &w->node[at->node[3]];
+    ref_depth_node n;
+
+    for (int i = 0; i < REF_NODE; i++)
+        n.all[i] = cubic((const double[4]){ a->all[i], b->all[i], c->all[i], d->all[i] },
+                         at->s);
+    n.along *= at->left;
+    n.up *= at->left;
+    n.push *= at->left;
+    return n;
 }
 
 /* Adds the map's refraction: phase and direction interpolated between nodes, the tilt from
@@ -159,11 +173,12 @@ ref_point ref_coastal_rest(const ref_coastal *coastal, const double phase[TP_WAV
                            double x0, double z0)
 {
     const ref_bed bed = ref_coastal_floor(coastal, x0, z0);
+    const table_place at = place_of_depth(bed.depth);
     ref_point p = { .x = x0, .z = z0, .jxx = 1, .jzz = 1 };
 
     for (int i = 0; i < coastal->count && bed.depth > 0; i++) {
         const ref_coastal_wave *w = &coastal->wave[i];
-        ref_depth_node n = interpolate_node(w, bed.depth);
+        ref_depth_node n = interpolate_node(w, &at);
         if (coastal->map)
             bend(coastal, i, x0, z0, &bed, &n);
         add_wave(w, &n, w->k_deep * (w->deep.dx * x0 + w->deep.dz * z0) + n.excess

@@ -11,14 +11,18 @@
 #include "deep_water.h"
 #include "waves/coastal_water.h"
 
-enum { REF_DEPTHS = 64 * 15 + 1 };      /* 64 an octave from 1/16 to 2048 m */
+enum { REF_DEPTHS = 64 * 15 + 1,        /* 64 an octave from 1/16 to 2048 m */
+       REF_NODE = 8 };                  /* numbers of a depth */
 
 /* A wave at one depth. */
-typedef struct {
-    double k, along, up, push;  /* rad/m; semi-axes, m; lambda up of [B10] */
-    double way_x, way_z;        /* direction of travel */
-    double sine;                /* sine of the tilt [B11], over a straight floor */
-    double excess;              /* phase beyond the deep-water phase, rad */
+typedef union {
+    struct {
+        double k, along, up, push;  /* rad/m; semi-axes, m; lambda up of [B10] */
+        double way_x, way_z;        /* direction of travel */
+        double sine;                /* sine of the tilt [B11], over a straight floor */
+        double excess;              /* phase beyond the deep-water phase, rad */
+    };
+    double all[REF_NODE];
 } ref_depth_node;
 
 typedef struct {

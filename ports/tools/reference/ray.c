@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Intersection of rays and water; see the header. */
 #include "ray.h"
+#include <string.h>
 
 #define STEEPEST 6
 #define ROUGH    1e-4           /* accuracy of the rest point while marching, m along */
@@ -98,8 +99,8 @@ static bool meets_level(ray_probe *p, double t0, double t1, bool below, ref_meet
         && accept(p, t, p->ray->way.y > 0, m);
 }
 
-bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t1,
-                   bool below, ref_meeting *meeting)
+static bool find(const ref_surface *s, const ref_ray *ray, double t0, double t1, bool below,
+                 ref_meeting *meeting)
 {
     const ref_extent *e = &s->extent;
     ray_probe p = { s, ray, { ray->from.x, ray->from.z }, ray->from.x, ray->from.z };
@@ -114,4 +115,42 @@ bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t
     if (high < 1e-8)
         return meets_level(&p, t0, t1, below, meeting);
     return march(&p, t0, t1, below, meeting);
+}
+
+/* Place of a ray in the memory, by a hash of its bits. */
+static uint32_t memory_place(const ref_ray *ray)
+{
+    const unsigned char *byte = (const unsigned char *)ray;
+    uint64_t hash = 0;
+
+    for (size_t i = 0; i < sizeof *ray; i += sizeof hash) {
+        uint64_t bits;
+        memcpy(&bits, byte + i, sizeof bits);
+        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+    }
+    return (uint32_t)(hash % REF_MEMORY);
+}
+
+bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t1,
+                   bool below, ref_meeting *meeting)
+{
+    ref_memory *m = s->memory;
+
+    if (!m)
+        return find(s, ray, t0, t1, below, meeting);
+    const uint32_t i = memory_place(ray);
+    if (!m->place[i].filled || memcmp(&m->place[i].ray, ray, sizeof *ray) != 0
+        || memcmp(&m->place[i].t0, &t0, sizeof t0) != 0
+        || memcmp(&m->place[i].t1, &t1, sizeof t1) != 0 || m->place[i].below != below) {
+        m->place[i].ray = *ray;
+        m->place[i].t0 = t0;
+        m->place[i].t1 = t1;
+        m->place[i].filled = true;
+        m->place[i].below = below;
+        m->place[i].met = find(s, ray, t0, t1, below, &m->place[i].meeting);
+    }
+    if (m->place[i].met)
+        *meeting = m->place[i].meeting;
+    return m->place[i].met;
 }

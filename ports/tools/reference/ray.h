@@ -18,6 +18,19 @@ typedef struct {
     bool      from_below;
 } ref_meeting;
 
+/* Intersections found before, for further pictures of the same surface: set as a surface's
+ * `memory`, zeroed. Not for several threads. */
+enum { REF_MEMORY = 1 << 18 };
+
+typedef struct ref_memory {
+    struct {
+        ref_ray     ray;
+        double      t0, t1;
+        bool        filled, below, met;
+        ref_meeting meeting;
+    } place[REF_MEMORY];
+} ref_memory;
+
 /* Finds the first intersection between t0 and t1; `below`: undersides count, else the ray
  * passes through undersides. */
 bool ref_ray_meets(const ref_surface *s, const ref_ray *ray, double t0, double t1,

@@ -88,6 +88,20 @@ static void place_boat(ref_scene *s, const tp_world *world, double back)
     s->boat_place = between(a->place, b->place, back);
 }
 
+ref_camera ref_scene_camera(const tp_scene *scene, const tp_world *world, uint32_t width,
+                            uint32_t height)
+{
+    const double back = ref_number(world->lag);
+    const tp_assets none = { 0 };
+    ref_scene s = { .scene = scene, .assets = &none };
+
+    place_boat(&s, world, back);
+    place_camera(&s, world, width, height, back);
+    ref_mesh_free(&s.boat);
+    ref_mesh_free(&s.lids);
+    return s.camera;
+}
+
 /* A drop keeps its volume: with the aspect a = height / width, the width scales with
  * a^(-1/3). */
 static ref_drop interpolate_drop(const tp_drop *drop, double back)

@@ -89,6 +89,10 @@ typedef struct {
     ref_caustics *caustics;     /* NULL: none */
 } ref_scene;
 
+/* The camera alone. */
+ref_camera ref_scene_camera(const tp_scene *scene, const tp_world *world, uint32_t width,
+                            uint32_t height);
+
 /* Opens a scene. Scene, assets and world must outlive the result. */
 void ref_scene_open(ref_scene *s, const tp_scene *scene, const tp_assets *assets,
                     const tp_world *world, uint32_t width, uint32_t height, bool meshed);

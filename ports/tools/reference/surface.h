@@ -28,6 +28,7 @@ typedef struct {
     double     high, reach;     /* largest displacement, up and sideways, m */
     double     steep, fine;     /* bound of slopes; shortest feature, m */
     double     close;           /* accuracy of a ray's root, m; initially REF_CLOSE */
+    struct ref_memory *memory;  /* ray.h; initially NULL */
 } ref_surface;
 
 /* A point of the surface. */
