@@ -132,6 +132,10 @@ more-tests: everything build/host/count.so build/host/tally.so
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count) \
 	    tests/charts/same.sh
+# Tests that have fewer rounds under the sanitizers than in the soak.
+MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \
+               frame_hostile frame_project frame_screen_grid frame_stream frame_tiles \
+               interact_setting mesh_triangulate_large raster_attributes raster_fill),$(UNIT))
 # The random scenes, tapes and builds that a whole run has fewer of, and riscv64.
 soak-tests: everything build/host/count.so
 	@$(MAKE) --no-print-directory $(SAN) unit
@@ -139,8 +143,8 @@ soak-tests: everything build/host/count.so
 	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
 	    tests/cross/run.sh tests/budgets/prices.sh tests/fuzz/run.sh \
 	    tests/budgets/models-count.sh tests/host/saves.sh tests/bench/views.sh \
-	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/% \
-            %/test_world,$(UNIT)))
+	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/%, \
+            $(UNIT)) $(MORE_ROUNDS))
 fuzzers: $(FUZZ)
 list-tests:
 	@for test in $(patsubst $(BUILD)/%,%,$(UNIT) $(GOLDEN)) $(LEFT_OUT); do \

@@ -162,26 +162,26 @@ static void other_value(uint32_t row, char text[TP_NAME_BYTES])
 
 typedef struct { uint32_t taken, refused, wrong; } undo_tally;
 
-static void try_row(uint32_t row, undo_tally *t)
+/* `before`: the moment before the change; it is the moment after as well. */
+static void try_row(uint32_t row, undo_moment *before, undo_tally *t)
 {
     uint32_t count;
     const char *name = tp_params(&count)[row].name;
+    const uint32_t crc = before->crc;
     char text[TP_NAME_BYTES];
-    undo_moment before = moment_now(true);
     other_value(row, text);
     if (change_row(row, text, false, true) != EXIT_DONE) {
         t->refused++;
-        t->wrong += !is_again(&before, name, "refused");
-        moment_free(&before);
+        t->wrong += !is_again(before, name, "refused");
         return;
     }
     undo_moment after = moment_now(false);
     t->taken++;
-    t->wrong += undo() != UNDO_ALL || !is_again(&before, name, "undone");
+    t->wrong += undo() != UNDO_ALL || !is_again(before, name, "undone");
     t->wrong += redo() != UNDO_VALUE || !is_again(&after, name, "made again");
-    before.crc = 0;
-    t->wrong += undo() != UNDO_ALL || !is_again(&before, name, "undone again");
-    moment_free(&before);
+    before->crc = 0;
+    t->wrong += undo() != UNDO_ALL || !is_again(before, name, "undone again");
+    before->crc = crc;
     moment_free(&after);
 }
 
@@ -192,9 +192,11 @@ static void try_rows(const char *scene, bool names, uint32_t least)
     const tp_param *params = tp_params(&count);
     undo_tally t = { 0, 0, 0 };
     open_scene(scene);
+    undo_moment before = moment_now(true);
     for (uint32_t row = 0; row < count; row++)
         if (tp_param_is_file(&params[row]) == names)
-            try_row(row, &t);
+            try_row(row, &before, &t);
+    moment_free(&before);
     print_message("%s: %u rows taken, %u refused\n", scene, (unsigned)t.taken,
                   (unsigned)t.refused);
     close_scene();

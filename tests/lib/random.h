@@ -19,6 +19,18 @@ static inline uint64_t random_seed(void)
     return seed;
 }
 
+/* Number of rounds: `all` without sanitizers and in the soak. Under the sanitizers, where a
+ * round takes several times as long and faults are found rather than results, `some`. */
+static inline int random_rounds(int all, int some)
+{
+#ifdef __SANITIZE_ADDRESS__
+    return getenv("TP_SOAK") ? all : some;
+#else
+    (void)some;
+    return all;
+#endif
+}
+
 /* splitmix64 */
 static inline uint64_t random_next(uint64_t *state)
 {

@@ -118,7 +118,7 @@ static void sweep(uint32_t size)
         double mean = 0;
         printf("# %4d %2d    ", n < 4 ? 8 : 16, (int)m);
         for (int i = 0; i < RATES; i++) {
-            if (n == 7 && i % 4 != 1 && !soak())
+            if (n % 4 > 1 && i % 4 != 1 && !soak())
                 printf("     -");           /* the longest runs */
             else
                 mean = fmax(mean, settle(n < 4 ? TP_CELLS_8 : TP_CELLS_16, size, m,

@@ -106,7 +106,7 @@ static void a_fed_field_stays_in_its_band_and_its_mean_at_0(void **state)
     print_head();
     for (uint32_t m = 4; m <= 8; m += 2) {
         const record r = print_feed(TP_CELLS_16, TP_EDGES_TILE, 32, m, 512, 2048,
-                                    ticks_asked(m == 6 ? 100000 : 20000));
+                                    ticks_asked(m == 6 ? 40000 : 15000));
         assert_band(&r, 512);
         assert_true(r.mean == 0);
     }

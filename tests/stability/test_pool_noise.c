@@ -245,7 +245,7 @@ static void assert_shares(const shares *s)
 static void a_wave_stays_within_its_noise(void **state)
 {
     (void)state;
-    const int count = getenv("TP_SOAK") ? 4000 : 200;
+    const int count = getenv("TP_SOAK") ? 4000 : 100;
     shares s[2] = { shares_of("8 bits, rms", "8 bits, corner"),
                     shares_of("16 bits, rms", "16 bits, corner") };
 
@@ -302,7 +302,7 @@ static void so_do_the_worst_waves_that_are_known(void **state)
 static void waves_of_8_bits_pass_it_later_by_half(void **state)
 {
     (void)state;
-    const int count = getenv("TP_SOAK") ? 2000 : 60;
+    const int count = getenv("TP_SOAK") ? 2000 : 24;
     static const struct { uint32_t m, courant_sq_q10, cols, rows, p, q; } known[] = {
         { 4, 64, 57, 16, 48, 7 }, { 4, 51, 50, 16, 0, 5 }, { 4, 27, 32, 32, 0, 25 },
     };

@@ -92,7 +92,7 @@ static void every_tiling_gives_the_same_bits(void **state)
                                          { 16, 1 },    { 32, 13 },    { 144, 89 },
                                          { 160, 100 }, { 4096, 4096 } };
 
-    for (int n = 0; n < 18; n++) {
+    for (int n = 0; n < random_rounds(18, 9); n++) {
         tp_world world;
         const tp_scene scene = busy_scene(&world);
         const tp_format format = (tp_format)(n % TP_FORMAT_COUNT);
@@ -120,7 +120,7 @@ static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
     static test_twice twice;
 
     kit_make(&kit, &chance);
-    for (int n = 0; n < 150; n++) {
+    for (int n = 0; n < random_rounds(150, 70); n++) {
         tp_scene scene = scene_plain();
         kit_gather(&scene, &chance);
         kit_switch_on(&scene, &chance);

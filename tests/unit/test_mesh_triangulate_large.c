@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include "tests/lib/meshes.h"
+#include "tests/lib/random.h"
 #include "fixed/arithmetic.h"
 
 enum { MOST = 30000, STEPS = 2048 };   /* step bound of mesh/triangulate.c */
@@ -40,34 +41,35 @@ static void put_circle(point *to, int n, int32_t radius)
 static void a_disc_of_30000_corners_is_cut(void **state)
 {
     (void)state;
-    put_circle(p, 30000, 1 << 25);
-    const uint32_t steps = cut_and_check(30000, 1, true);
-    print_message("    disc of 30000: %u steps a corner\n", (unsigned)steps);
+    const int corners = random_rounds(30000, 6000);
+    put_circle(p, corners, 1 << 25);
+    const uint32_t steps = cut_and_check(corners, 1, true);
+    print_message("    disc of %d: %u steps a corner\n", corners, (unsigned)steps);
     assert_true(steps < 1000);
 }
 
 static void a_ring_of_20000_corners_keeps_its_hole(void **state)
 {
     (void)state;
-    enum { SIDE = 10000 };
-    put_circle(p, SIDE, 1 << 24);
-    p[SIDE] = p[0];
-    put_circle(p + SIDE + 1, SIDE, 1 << 23);
-    for (int i = 1; i <= SIDE / 2; i++) {       /* in the opposite direction */
-        const point keep = p[SIDE + 1 + i];
-        p[SIDE + 1 + i] = p[2 * SIDE + 1 - i];
-        p[2 * SIDE + 1 - i] = keep;
+    const int side = random_rounds(10000, 2500);
+    put_circle(p, side, 1 << 24);
+    p[side] = p[0];
+    put_circle(p + side + 1, side, 1 << 23);
+    for (int i = 1; i <= side / 2; i++) {       /* in the opposite direction */
+        const point keep = p[side + 1 + i];
+        p[side + 1 + i] = p[2 * side + 1 - i];
+        p[2 * side + 1 - i] = keep;
     }
-    p[2 * SIDE + 1] = p[SIDE + 1];
-    const uint32_t steps = cut_and_check(2 * SIDE + 2, 4, false);
-    print_message("    ring of 20000: %u steps a corner\n", (unsigned)steps);
+    p[2 * side + 1] = p[side + 1];
+    const uint32_t steps = cut_and_check(2 * side + 2, 4, false);
+    print_message("    ring of %d: %u steps a corner\n", 2 * side, (unsigned)steps);
     assert_true(steps < 1000);
 }
 
 static void a_comb_of_6000_corners_is_cut(void **state)
 {
     (void)state;
-    const uint32_t steps = cut_and_check(make_comb(p, 2000), 2, true);
+    const uint32_t steps = cut_and_check(make_comb(p, random_rounds(2000, 1000)), 2, true);
     print_message("    comb of 6000: %u steps a corner\n", (unsigned)steps);
     assert_true(steps < 1500);
 }
@@ -75,7 +77,7 @@ static void a_comb_of_6000_corners_is_cut(void **state)
 static void a_spiral_of_5000_corners_is_cut(void **state)
 {
     (void)state;
-    const uint32_t steps = cut_and_check(make_spiral(p, 2500), 0, true);
+    const uint32_t steps = cut_and_check(make_spiral(p, random_rounds(2500, 1200)), 0, true);
     print_message("    spiral of 5000: %u steps a corner\n", (unsigned)steps);
     assert_true(steps < 1500);
 }
@@ -87,7 +89,7 @@ static void stars_of_up_to_20000_corners_are_cut(void **state)
     enum { REACH = 5400 };
     uint64_t random = *(const uint64_t *)*state;
     static const int corners[] = { 257, 272, 511, 1024, 4097, 20000 };
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < random_rounds(6, 5); i++) {
         const uint32_t steps =
             cut_and_check(make_star(p, corners[i], &random, REACH), i, true);
         print_message("    star of %d: %u steps a corner\n", corners[i], (unsigned)steps);
@@ -98,11 +100,12 @@ static void stars_of_up_to_20000_corners_are_cut(void **state)
 static void an_outline_at_random_ends_within_its_steps(void **state)
 {
     uint64_t random = *(const uint64_t *)*state;
-    for (int i = 0; i < MOST; i++)
+    const int corners = random_rounds(MOST, 8000);
+    for (int i = 0; i < corners; i++)
         p[i] = (point){ (int32_t)(next_random(&random) >> 4) - (1 << 27),
                         (int32_t)(next_random(&random) >> 4) - (1 << 27) };
-    cutting c = cut_in_plane(p, MOST, 0);
-    assert_edges(&c, MOST);
+    cutting c = cut_in_plane(p, corners, 0);
+    assert_edges(&c, corners);
     assert_true(c.steps == 0);
     free_cut(&c);
 }

@@ -102,7 +102,7 @@ static void depth_lies_in_the_plane_of_the_corners(void **state)
                          { .what = "depth, 8000 px", .unit = "of 2^24" } };
     static const int32_t fars[3] = { 1600, 8000, 8192 * 16 };
 
-    for (int n = 0; n < 450; n++) {
+    for (int n = 0; n < random_rounds(450, 120); n++) {
         drawn_face f;
         for (int i = 0; i < 3; i++) {
             f.corner[i] = corner_within(fars[n % 3]);
@@ -158,7 +158,8 @@ static void no_sliver_leaves_the_depths_of_its_corners(void **state)
     test_tile tile = tile_of(0, 0, WIDTH, HEIGHT, 0);
     uint64_t pixels = 0;
 
-    for (int n = 0; n < 5000; n++) {
+    const int count = random_rounds(5000, 1000);
+    for (int n = 0; n < count; n++) {
         tp_screen_vertex c[3] = { { .s = 0 } };
         int64_t low = INT32_MAX, high = 0;
         if (n & 1)
@@ -181,7 +182,7 @@ static void no_sliver_leaves_the_depths_of_its_corners(void **state)
         }
     }
     printf("    %" PRIu64 " pixels of slivers\n", pixels);
-    assert_true(pixels > 5000);
+    assert_true(pixels > (uint64_t)count);
     tile_free(&tile);
 }
 
@@ -241,7 +242,7 @@ static void places_follow_the_perspective(void **state)
 
     for (int k = 0; k < 5; k++) {
         measure error = { .what = names[k], .unit = "px" };
-        for (int n = 0; n < 100; n++) {
+        for (int n = 0; n < random_rounds(100, 30); n++) {
             drawn_face f;
             for (int i = 0; i < 3; i++) {
                 const double depth = chance_double(&chance, 1, ratios[k]);
@@ -279,7 +280,7 @@ static void slopes_are_linear_between_corners(void **state)
     (void)state;
     measure error = { .what = "slopes beyond cut", .unit = "of 1/4096" };
 
-    for (int n = 0; n < 200; n++) {
+    for (int n = 0; n < random_rounds(200, 60); n++) {
         drawn_face f;
         for (int i = 0; i < 3; i++) {
             f.corner[i] = corner_within(n % 2 ? 4000 : 8192 * 16);
@@ -303,7 +304,7 @@ static int32_t part(uint32_t n, int k)
 static void solids_carry_normal_texture_and_face(void **state)
 {
     (void)state;
-    for (int n = 0; n < 100; n++) {
+    for (int n = 0; n < random_rounds(100, 30); n++) {
         drawn_face f;
         for (int i = 0; i < 3; i++) {
             f.corner[i] = corner_within(3000);
@@ -345,7 +346,7 @@ static void any_corners_are_safe(void **state)
     test_tile tile = tile_of(1000, 500, 1064, 516, 0);
     static const int32_t ends[] = { -8192 * 16, 8192 * 16, 0, 16000, 8000, 7999, 16001 };
 
-    for (int n = 0; n < 30000; n++) {
+    for (int n = 0; n < random_rounds(30000, 10000); n++) {
         tp_screen_vertex c[3];
         for (int i = 0; i < 3; i++) {
             c[i].u =

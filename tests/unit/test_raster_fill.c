@@ -330,7 +330,7 @@ static void triangles_cover_what_the_rule_says(void **state)
 
     for (size_t i = 0; i < sizeof fars / sizeof fars[0]; i++) {
         uint64_t pixels = 0;
-        for (int n = 0; n < 400; n++) {
+        for (int n = 0; n < random_rounds(400, 100); n++) {
             const tp_screen_vertex c[3] = { any_corner(fars[i]), any_corner(fars[i]),
                                             any_corner(fars[i]) };
             compare(c, &pixels);
@@ -349,7 +349,7 @@ static void slivers_cover_what_the_rule_says(void **state)
 
     for (size_t i = 0; i < sizeof fars / sizeof fars[0]; i++) {
         uint64_t pixels = 0;
-        for (int n = 0; n < 700; n++) {
+        for (int n = 0; n < random_rounds(700, 150); n++) {
             tp_screen_vertex c[3] = { any_corner(fars[i]), any_corner(fars[i]) };
             const double way = chance_double(&chance, -0.2, 1.2);
             c[2] = corner((int32_t)lround(c[0].u + way * (c[1].u - c[0].u))
@@ -371,7 +371,7 @@ static void the_order_of_the_corners_does_not_matter(void **state)
     static const int order[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 },
                                      { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
 
-    for (int n = 0; n < 60; n++) {
+    for (int n = 0; n < random_rounds(60, 20); n++) {
         const tp_screen_vertex c[3] = { any_corner(900), any_corner(900), any_corner(900) };
         test_tile first = tile_of(64, 32, 256, 160, 0);
         tp_tri_water(&first.samples, &c[0], &c[1], &c[2]);
@@ -448,7 +448,7 @@ static void each_pixel_of_a_closed_mesh_is_drawn_once(void **state)
     static const int32_t fars[] = { 1280, 5000, 16000, BAND };
     static uint8_t count[160 * 160];
 
-    for (int n = 0; n < 24; n++) {
+    for (int n = 0; n < random_rounds(24, 8); n++) {
         const mesh m = any_mesh(fars[n % 4]);
         memset(count, 0, sizeof count);
         test_tile tile = tile_of(0, 0, 160, 160, 0);
@@ -583,7 +583,7 @@ static void the_nearer_stays_and_of_equals_the_first(void **state)
 static void back_faces_are_left_out_where_that_is_asked_for(void **state)
 {
     (void)state;
-    for (int n = 0; n < 150; n++) {
+    for (int n = 0; n < random_rounds(150, 40); n++) {
         const tp_screen_vertex c[3] = { any_corner(900), any_corner(900), any_corner(900) };
         const bool front = tp_tri_twice_area(&c[0], &c[1], &c[2]) < 0;
         test_tile all = tile_of(64, 32, 256, 160, 0), some = tile_of(64, 32, 256, 160, 0);
