@@ -135,7 +135,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \
                frame_hostile frame_project frame_screen_grid frame_stream frame_tiles \
-               interact_setting mesh_triangulate_large raster_attributes raster_fill),$(UNIT))
+               interact_setting mesh_triangulate_large raster_attributes raster_fill undo), \
+               $(UNIT))
 # The random scenes, tapes and builds that a whole run has fewer of, and riscv64.
 soak-tests: everything build/host/count.so
 	@$(MAKE) --no-print-directory $(SAN) unit

@@ -148,7 +148,7 @@ static void up_to_the_border_it_is_the_mesh(void **state)
     for (int k = 0; k < 4; k++) {
         picture_difference all = { 0, 0, 0, 0 };
         int views = 0;
-        for (int n = 0; n < 3; n++) {
+        for (int n = 0; n < random_rounds(3, 2); n++) {
             tp_scene scene = fine_scene();
             scene.camera.pitch = k == 3 ? -25 * TP_FX_ONE : -4 * TP_FX_ONE;
             scene.camera.y = 5 * TP_FX_ONE;

@@ -11,6 +11,7 @@
 #include "app/files/path.h"
 #include "tests/lib/listing.h"
 #include "quality/prices.h"
+#include "world/text.h"
 #include <math.h>
 
 static listing listed;
@@ -23,10 +24,44 @@ static const char *const names[] = {
 
 typedef struct {
     scene_file file;
-    asset_set  assets;
+    asset_set *assets;
     tp_view_estimate estimate;
     tp_fixed_cost   works;
 } works_view;
+
+/* True if both scenes load the same files: switches of features may add or spare files. */
+static bool has_same_files(const tp_scene *a, const tp_scene *b)
+{
+    uint32_t count;
+    const tp_param *row = tp_params(&count);
+    bool same = true;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const void *const x = (const char *)a + row[i].offset,
+                   *const y = (const char *)b + row[i].offset;
+        if (tp_param_is_file(&row[i]))
+            same = same && !strcmp(x, y);
+        else if (!tp_param_is_text(&row[i]) && row[i].kind != TP_PARAM_FX)
+            same = same && !memcmp(x, y, sizeof(int32_t));
+    }
+    return same && a->boat.scale == b->boat.scale;
+}
+
+/* Assets of a scene, kept for the next view if that has the same. */
+static asset_set *assets_of(const scene_file *file, const char *path)
+{
+    static asset_set loaded;
+    static tp_scene scene;
+    static char from[160];
+
+    if (!strcmp(from, path) && has_same_files(&scene, &file->scene))
+        return &loaded;
+    assets_close(&loaded);
+    assert_int_equal(assets_open(&loaded, file), 0);
+    scene = file->scene;
+    snprintf(from, sizeof from, "%s", path);
+    return &loaded;
+}
 
 /* Opens a view: "pond camera.y=1" is a scene and settings of the scene. */
 static void view_open(works_view *v, const char *of, uint32_t width, uint32_t height)
@@ -38,8 +73,8 @@ static void view_open(works_view *v, const char *of, uint32_t width, uint32_t he
     assert_int_equal(scene_file_open(&v->file, path), 0);
     for (char *setting; (setting = strtok(NULL, " ")) != NULL;)
         assert_int_equal(scene_file_set(&v->file, setting), 0);
-    assert_int_equal(assets_open(&v->assets, &v->file), 0);
-    const tp_plan_input in = { tp_program_all.modules, &v->file.scene, &v->assets.names,
+    v->assets = assets_of(&v->file, path);
+    const tp_plan_input in = { tp_program_all.modules, &v->file.scene, &v->assets->names,
                                width, height };
     v->estimate = tp_view_estimate_make(&in);
     v->works = tp_fixed_cost_estimate(&in, &v->estimate,
@@ -48,7 +83,6 @@ static void view_open(works_view *v, const char *of, uint32_t width, uint32_t he
 
 static void view_close(works_view *v)
 {
-    assets_close(&v->assets);
     scene_file_close(&v->file);
 }
 
@@ -169,9 +203,9 @@ static pixel_shares drawn(const works_view *v)
                                       .tile_height = HEIGHT };
     static uint32_t key[WIDTH * HEIGHT];
     const double all = WIDTH * HEIGHT / 100.0;
-    tp_world *world = scene_world(&v->file.scene, &v->assets.names);
+    tp_world *world = scene_world(&v->file.scene, &v->assets->names);
 
-    marks_draw(&v->file.scene, &v->assets.names, world, config, key, NULL);
+    marks_draw(&v->file.scene, &v->assets->names, world, config, key, NULL);
     free(world);
     const double water = marks_count(key, WIDTH * HEIGHT, MARKS_WATER) / all;
     const double sky = marks_count(key, WIDTH * HEIGHT, MARKS_SKY) / all;
