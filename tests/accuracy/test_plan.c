@@ -12,8 +12,8 @@
 #include "app/files/path.h"
 
 /* Compares the planned picture with the reference picture of outlines, and if that is not
- * enough with that of shading, which takes longer: the error is at most the plan's estimate above the error of the exact rungs with all
- * waves. */
+ * enough with that of shading, which takes longer: the error is at most the plan's estimate
+ * above the error of the exact rungs with all waves. */
 static void compare(const loaded_scene *s, const tp_plan_report *r, uint32_t tick)
 {
     static truth_drawing planned, exact, truth;

@@ -120,7 +120,7 @@ static void every_kind_of_scene_gives_the_same_bits_in_tiles(void **state)
     static test_twice twice;
 
     kit_make(&kit, &chance);
-    for (int n = 0; n < random_rounds(150, 70); n++) {
+    for (int n = 0; n < 150; n++) {
         tp_scene scene = scene_plain();
         kit_gather(&scene, &chance);
         kit_switch_on(&scene, &chance);
