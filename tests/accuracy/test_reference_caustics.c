@@ -315,9 +315,25 @@ static void still_water_changes_no_light(void **state)
     assert_true(off.worst < 1e-9);
 }
 
+/* Returns the mean light of the tank's floor, by one point in each of side x side squares. */
+static double mean_light(const ref_scene *s, double depth, int side)
+{
+    const ref_caustics *c = s->caustics;
+    double sum = 0;
+
+    for (int i = 0; i < side * side; i++) {
+        const double a = (i % side + chance_double(&seed, 0, 1)) / side;
+        const double b = ((double)(i / side) + chance_double(&seed, 0, 1)) / side;
+        sum += ref_caustics_light(c, (ref_vec){ c->low[0] + SIDE * a, -depth,
+                                                c->low[1] + SIDE * b });
+    }
+    return sum / side / side;
+}
+
 /* Walls mirror all light that meets them, so a tank with a wave and a splash neither gains
- * nor loses light of a sun overhead. The sum takes one point in each of 300 x 300
- * squares. */
+ * nor loses light of a sun overhead. The sum takes one point in each of 300 x 300 squares;
+ * it converges slowly where lines of light are sharp, so a sum that is off is taken again
+ * with 16 times as many. */
 static void walls_keep_the_light_in_the_tank(void **state)
 {
     enum { POINTS = 300 };
@@ -328,20 +344,15 @@ static void walls_keep_the_light_in_the_tank(void **state)
         view_of_ref v = { .scene = scene_walled(0.06) };
         const tp_input poke = { .push[0] = { TP_FX(0.2), v.scene.pool.x + TP_FX(1),
                                              v.scene.pool.z + chance_fx(&seed, -1, 1) } };
-        double sum = 0;
         v.scene.light.elevation = 90 * TP_FX_ONE;
         v.world = scene_world(&v.scene, &v.assets);
         tp_world_step(&tp_program_all, v.world, &v.scene, &poke);
         ref_scene_open(&v.ref, &v.scene, &v.assets, v.world, 64, 48, false);
-        const ref_caustics *c = v.ref.caustics;
-        for (int i = 0; i < POINTS * POINTS; i++) {
-            const double a = (i % POINTS + chance_double(&seed, 0, 1)) / POINTS;
-            const double b = ((double)(i / POINTS) + chance_double(&seed, 0, 1)) / POINTS;
-            sum += ref_caustics_light(c, (ref_vec){ c->low[0] + SIDE * a,
-                                                    -v.scene.tank.depth / 65536.0,
-                                                    c->low[1] + SIDE * b });
-        }
-        measure_add(&off, sum / (POINTS * POINTS) - 1, n, 0, 0);
+        const double depth = v.scene.tank.depth / 65536.0;
+        double light = mean_light(&v.ref, depth, POINTS);
+        if (fabs(light - 1) >= 0.015)
+            light = mean_light(&v.ref, depth, 4 * POINTS);
+        measure_add(&off, light - 1, n, 0, 0);
         view_close(&v);
     }
     measure_print(&off);
