@@ -11,13 +11,10 @@
 
 program=${1:-build/host/tidepool}
 scene=three-swells golden=tests/golden/three-swells/xrgb8888-0100.png
-arm=cross/aarch64-gcc-O2        # other tests need its core too
 
 vm_lacks "screens by KMS" amd64 arm64 && exit 0
 check "one static file shows a scene" alone build build/host/scenes/$scene-screen
-check "and one for aarch64" alone build TARGET=$arm MACHINE=aarch64 OPT=-O2 \
-    CC=aarch64-linux-gnu-gcc AR=aarch64-linux-gnu-ar LDFLAGS=-static \
-    build/$arm/scenes/$scene-screen
+check "and one for aarch64" for_aarch64 build/$aarch64/scenes/$scene-screen
 check "the host's picture" "$program" render $scene --size 640x480 --frames 3:3 \
     --out "$vm_work/whole.png"
 [ "$failed" = 0 ] || exit 1
@@ -47,7 +44,7 @@ machine()       # NAME ARCH MODULES CASES PROGRAM QEMU'S-OPTION...
 
 machine bochs amd64 bochs "$scratch/cases" build/host/scenes/$scene-screen -vga std
 machine virtio arm64 "virtio_pci virtio-gpu" "$scratch/cases" \
-    build/$arm/scenes/$scene-screen -vga none -device virtio-gpu-pci
+    build/$aarch64/scenes/$scene-screen -vga none -device virtio-gpu-pci
 
 vm_want virtio-golden tests/golden/$scene/xrgb8888-0000.png 888 centred
 refuse "another frame than the golden one is found" vm_same virtio-golden

@@ -9,9 +9,9 @@ program=$1
 scenes='storm raindrops'
 size=96x72
 triple=aarch64-linux-gnu
-target=cross/aarch64-gcc-O2
 
 lacks $triple-gcc gcc-$triple "a film of ranges from two machines" && exit 0
+lacks clang clang "a film of ranges from two machines" && exit 0
 lacks qemu-aarch64 qemu-user "a film of ranges from two machines" && exit 0
 if [ ! -d /usr/$triple/include ]; then
     skip "a film of ranges from two machines" "libc6-dev-arm64-cross"
@@ -20,20 +20,15 @@ fi
 
 goals=
 for scene in $scenes; do
-    goals="$goals build/$target/tests/cross/film-$scene"
+    goals="$goals build/$aarch64/tests/cross/film-$scene"
 done
-built()
-{
-    alone build TARGET=$target MACHINE=aarch64 CC=$triple-gcc AR=$triple-ar OPT=-O2 \
-        LDFLAGS=-static $goals
-}
 here()          # RANGE FILE
 {
     "$program" render "$scene" --size $size --frames "$1" --out "$scratch/$2"
 }
 there()
 {
-    qemu-aarch64 "build/$target/tests/cross/film-$scene" $size "$1" "$scratch/$2"
+    qemu-aarch64 "build/$aarch64/tests/cross/film-$scene" $size "$1" "$scratch/$2"
 }
 joined()        # PART...: joined, they equal the single run
 {
@@ -44,7 +39,7 @@ differs()       # PART...: joined, they make a different film
     (cd "$scratch" && "$program" join film.y4m "$@" && ! cmp -s film.y4m all.y4m)
 }
 program=$(realpath "$program")
-check "the programs for aarch64 are built" built
+check "the programs for aarch64 are built" for_aarch64 $goals
 for scene in $scenes; do
     check "$scene: a single run" here 0:23 all.y4m
     check "$scene: frames 0 to 8, here" here 0:8 a.y4m

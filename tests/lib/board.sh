@@ -225,7 +225,8 @@ vm_lacks()      # NAME ARCH...
         case $arch in
         amd64) lacks qemu-system-x86_64 qemu-system-x86 "$name" && return 0 ;;
         arm64) lacks qemu-system-aarch64 qemu-system-arm "$name" &&  return 0
-               lacks aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu "$name" && return 0 ;;
+               lacks aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu "$name" && return 0
+               lacks clang clang "$name" && return 0 ;;
         esac
         vm_kernel "$arch" >"$scratch/apt" 2>&1 && continue
         tail -n 3 "$scratch/apt"

@@ -93,6 +93,16 @@ alone()
     mkdir -p build/cross && (flock 9 && "$@") 9<build/cross
 }
 
+# for_aarch64 GOAL...: builds for aarch64 in $aarch64, the build of which
+# tests/cross/run.sh draws its frames.
+aarch64=cross/aarch64-clang-O3
+for_aarch64()
+{
+    triple=aarch64-linux-gnu
+    alone build TARGET=$aarch64 MACHINE=aarch64 OPT=-O3 CHECKED= LDFLAGS=-static \
+        CC="clang --target=$triple -isystem /usr/$triple/include" AR=$triple-ar "$@"
+}
+
 # -- runs of the program -----------------------------------------------------------------
 
 limit=60                        # seconds of a run
