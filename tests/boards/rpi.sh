@@ -3,7 +3,8 @@
 # Raspberry Pi boards, emulated: the screen equals the golden frame pixel by pixel, in 32
 # and in 16 bits, from the ELF file and from the image for a card; frames reported on the
 # serial port equal the host's, also after lines that set the scene's numbers; each fault
-# is one clear line.
+# is one clear line. The boards' programs are built at -O1, with TP_SOAK set at -O2 as they
+# are for use.
 #     rpi.sh [PROGRAM]
 . "$(dirname "$0")/../lib/script.sh"
 
@@ -11,7 +12,8 @@ program=${1:-build/host/tidepool}
 scene=three-swells
 size='width 208 height 150'     # size of golden frames
 set=wave0.amplitude
-same=${TP_BUILD:-build/host}/tests/boards/same_picture
+level=${TP_SOAK:+-O2} level=${level:--O1}
+same=build/host/tests/boards/same_picture
 
 # board | emulator | triple | option that loads a card's image at the firmware's address
 loader='-device loader,force-raw=on,cpu-num=0,addr=0x8000,file=@'
@@ -20,6 +22,8 @@ raspi0  | arm     | arm-none-eabi     | $loader
 raspi2b | arm     | arm-none-eabi     | $loader
 raspi3b | aarch64 | aarch64-linux-gnu | -kernel @
 "
+
+alone build -s $same >/dev/null || exit 1
 
 # -- output and pictures of the boards ---------------------------------------------------
 
@@ -186,7 +190,7 @@ while IFS='|' read -r board emulator triple card; do
     [ -n "$board" ] || continue
     lacks "qemu-system-$emulator" qemu-system-arm "$board" && continue
     lacks "$triple-gcc" "gcc-$triple" "$board" && continue
-    check "$board builds" alone build OPT=-O2 BOARD=rpi/"$board" SCENE=$scene elf
+    check "$board builds" alone build OPT=$level BOARD=rpi/"$board" SCENE=$scene elf
     [ "$board" != raspi2b ] || check "$board gives up being a hypervisor" hypervisor
     run_board &
     tried="$tried $board"
