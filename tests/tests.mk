@@ -138,13 +138,14 @@ MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot
                interact_setting mesh_triangulate_large raster_attributes raster_fill undo), \
                $(UNIT))
 # The random scenes, tapes and builds that a whole run has fewer of, and riscv64; boards
-# at -O2.
+# at -O2, and more numbers of threads.
 soak-tests: everything build/host/count.so
 	@$(MAKE) --no-print-directory $(SAN) unit
 	@TP_SOAK=1 TP_SCENES=10000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \
 	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
-	    tests/cross/run.sh tests/boards/rpi.sh tests/budgets/prices.sh tests/fuzz/run.sh \
-	    tests/budgets/models-count.sh tests/host/saves.sh tests/bench/views.sh \
+	    tests/cross/run.sh tests/boards/rpi.sh tests/host/threads.sh \
+	    tests/budgets/prices.sh tests/fuzz/run.sh tests/budgets/models-count.sh \
+	    tests/host/saves.sh tests/bench/views.sh \
 	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/%, \
             $(UNIT)) $(MORE_ROUNDS))
 fuzzers: $(FUZZ)
