@@ -8,8 +8,9 @@
  * field's mean, and 1.125 of the mean times the squares of the slope and of its part on the
  * waves' way, both over their mean; 216 / 255 at most; none on the waves' fronts. A mean
  * below 16 / 255 leaves less old foam and gives more to the slopes. Along a straight beach
- * near the window's middle the middle repeats; over other floors the depth gives the mean cover of the surf, by the rule at the head of foam_surf.c. Over a
- * pool the window ends at the walls instead.
+ * near the window's middle the middle repeats; over other floors the depth gives the mean
+ * cover of the surf, by the rule at the head of foam_surf.c. Over a pool the window ends at
+ * the walls instead.
  *
  * A texture four times as large as the foam's moves the cover up and down by its rank. A
  * texel of the texture is white if its rank among all texels is above 1 - cover. The
