@@ -83,7 +83,7 @@ charts: charts-tools
 	@$(PROGRAM) charts assets/charts
 ## build the reference renderer: double precision, slow
 reference: $(BUILD)/reference
-## feed random input to all readers, FUZZ_SECONDS (2) for each
+## feed random input to all readers, FUZZ_SECONDS (6) for each
 fuzz:
 	@tests/fuzz/run.sh
 ## print line and branch coverage of the core, and the least covered files

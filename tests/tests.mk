@@ -51,6 +51,12 @@ $(BUILD)/screen_fake.so $(BUILD)/faults.so: $(BUILD)/%.so: tests/host/%.c $(BUIL
 $(FUZZ): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) -fsanitize=fuzzer -Wl,--as-needed $(filter %.o,$^) $(BUILD)/ports.a \
 	    $(LIB) $(LIBS) -o $@
+# The same targets without libFuzzer, of any compiler.
+REPLAY  := $(FUZZ:$(BUILD)/tests/fuzz/fuzz_%=$(BUILD)/tests/fuzz/replay_%)
+$(REPLAY): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
+          $(BUILD)/tests/fuzz/replay.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $(GOLD) -Wl,--as-needed $(filter %.o,$^) $(BUILD)/ports.a $(LIB) $(LIBS) \
+	    -o $@
 # Other renderers for `tidepool bench --peers`, as far as their packages are installed.
 PEERS   := $(BUILD)/tests/bench/peers
 peers:
@@ -97,7 +103,7 @@ SAN     := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-re
            TESTS_OPT=-O0 CHECKED=1
 SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% $(addprefix %/test_, \
                features_water_quick_light features_water_quick_even threads),$(UNIT))
-sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO)
+sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO) $(REPLAY)
 at_san   = $(patsubst $(BUILD)/%,build/san/%,$1)
 
 everything: quick $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(FRAMES) \
@@ -117,9 +123,9 @@ more-tests: everything build/host/count.so build/host/tally.so
 	            'BOARD=cortex-m/lm3s6965evb lib' charts-tools; do \
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
-	@$(RUN) build/log/more tests/cross/run.sh tests/charts/sweep.sh tests/fuzz/run.sh \
+	@$(RUN) build/log/more tests/cross/run.sh tests/charts/sweep.sh tests/fuzz/replay.sh \
 	    tests/boards/cortex-m.sh $(SLOW) \
-	    tests/gates/arm.sh tests/gates/clang.sh tests/gates/coverage.sh \
+	    tests/gates/arm.sh tests/gates/clang.sh \
 	    tests/gates/sanitized.sh \
 	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture \
 	        threads) \
@@ -145,7 +151,8 @@ soak-tests: everything build/host/count.so
 	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
 	    tests/cross/run.sh tests/boards/rpi.sh tests/host/threads.sh \
 	    tests/budgets/prices.sh tests/fuzz/run.sh tests/budgets/models-count.sh \
-	    tests/host/saves.sh tests/bench/views.sh \
+	    tests/host/saves.sh tests/bench/views.sh tests/gates/sanitized.sh \
+	    tests/boards/linuxfb.sh tests/host/generators.sh \
 	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/%, \
             $(UNIT)) $(MORE_ROUNDS))
 fuzzers: $(FUZZ)

@@ -156,12 +156,13 @@ static void make(const char *dir, const picture *p)
 
 int main(int argc, char **argv)
 {
-    if (argc != 3) {
-        fprintf(stderr, "usage: textures FOLDER SKY-FOLDER\n");
+    if (argc < 2 || argc > 3) {
+        fprintf(stderr, "usage: textures FOLDER [SKY-FOLDER]\n");
         return 2;
     }
     for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++)
         make(argv[1], &pictures[i]);
-    make_skies(argv[2]);
+    if (argc == 3)
+        make_skies(argv[2]);
     return 0;
 }

@@ -166,7 +166,7 @@ while IFS="|" read -r on words modules things; do
     check "$on: the machine boots" vm_boot $on amd64 \
         "$words boot=$on on=$on things=$things" -vga std
     vm_results $on
-    check "$on: the text is on the screen again" "$TP_BUILD/tests/boards/same_picture" \
+    check "$on: the text is on the screen again" "build/host/tests/boards/same_picture" \
         "$vm_work/$on-before.ppm" "$vm_work/$on-after.ppm"
 done <<EOF
 fb  | vga=0x301 |       | raw,process,colours,graphics

@@ -42,7 +42,7 @@ static void try_value(uint32_t row, const char *text, size_t bytes)
 {
     static tp_scene scene, again;
     uint32_t count;
-    const tp_param *param = &tp_params(&count)[row % count];
+    const tp_param *const params = tp_params(&count), *const param = &params[row % count];
     char value[256];
     tp_error err;
 

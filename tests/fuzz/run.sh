@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Feeds each fuzz target random input for FUZZ_SECONDS (2) under ASan and UBSan, in
+# Feeds each fuzz target random input for FUZZ_SECONDS (6) under ASan and UBSan, in
 # parallel on all processors. FUZZ_ONLY="csv tape" selects targets.
 #
 # Seeds and inputs of past failures lie in tests/fuzz/NAME/ and run first; the words of an
@@ -8,7 +8,7 @@
 # apart from the effect of the machine's speed.
 . "$(dirname "$0")/../lib/script.sh"
 
-seconds=${FUZZ_SECONDS:-2}
+seconds=${FUZZ_SECONDS:-6}
 
 # Writes the result to $scratch/NAME; an input that breaks the target stays in build/fuzz.
 run_one()       # NAME

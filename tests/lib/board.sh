@@ -381,7 +381,7 @@ vm_want()
 # vm_same NAME: true if the dump equals the expected picture.
 vm_same()
 {
-    "$TP_BUILD/tests/boards/same_picture" "$vm_work/$1.ppm" $(cat "$vm_work/$1.want")
+    "build/host/tests/boards/same_picture" "$vm_work/$1.ppm" $(cat "$vm_work/$1.want")
 }
 
 # The monitor runs its commands in order: when NAME.done exists, NAME.ppm is complete.
