@@ -87,7 +87,7 @@ put src/waves/j1.c 'int f(int *p) { return __atomic_fetch_add(p, 1, 0); }'
 refuse "words: a lock" words src/waves/j1.c
 
 check  "text: passes a plain file" text src/waves/a.c
-printf 'int x;\nint y;\nint z;\n' >"$scratch/src/wave/k.c"
+printf 'int x;\nint y;\nint z;\n' >"$scratch/src/waves/k.c"
 refuse "text: no licence line" text src/waves/k.c
 put src/waves/l.c "$(printf 'int\tx;')" ''
 refuse "text: a tab" text src/waves/l.c
