@@ -50,14 +50,14 @@ build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/
 	$(SAY)build/host/tidepool bake $< --name baked -o $@
 # For machines with files and for boards that draw by all modules, the compiler gets the
 # scene without its texels, and the assembler gets both. LTO needs the whole C file.
-build/baked/split/%.c build/baked/split/%.s: build/baked/%.c ports/tools/bake/texels.awk
+build/split/%.c build/split/%.s: build/baked/%.c ports/tools/bake/texels.awk
 	@mkdir -p $(@D)
 	@awk -v texels=$(@D)/$*.s -f ports/tools/bake/texels.awk $< >$(@D)/$*.c
 ifeq ($(filter -flto%,$(OPT)),)
-build/baked/$(MACHINE)/%.o: build/baked/split/%.c build/baked/split/%.s
+build/baked/$(MACHINE)/%.o: build/split/%.c build/split/%.s
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) -S $< -o $(@:.o=.s)
-	@cat build/baked/split/$*.s >>$(@:.o=.s)
+	@cat build/split/$*.s >>$(@:.o=.s)
 	@$(CC) $(ARCH) -c $(@:.o=.s) -o $@ && rm $(@:.o=.s)
 else
 build/baked/$(MACHINE)/%.o: build/baked/%.c
