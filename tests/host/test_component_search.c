@@ -88,7 +88,7 @@ static void a_list_has_what_the_scene_needs_and_no_more(void **state)
         components_list(&list, &less, &a.request.terms);
         assert_int_equal(dry_run_draw(&run, &by, NULL, run.cameras, NULL, want, &differs),
                          0);
-        if (differs == run.cameras && dry_run_moves_same(&run, &by))
+        if (differs == run.cameras && dry_run_moves_same(&run, &by, run.moments))
             fail_msg("%s %s is in the list, and not needed", component_kind_name(i),
                      components[i].name);
     }

@@ -2,15 +2,18 @@
 /* Searches the components that a program needs.  First all cameras are drawn with all
  * components, by stages that note when they run.  Then the search leaves out components,
  * many at a time, fewer at a time if the result changes, and compares the pictures of a
- * few cameras, at first one.  The resulting list is compared on all cameras.  A camera with
- * a different picture joins the few, and the search goes on.  The search ends with a list
- * that is right for all cameras. */
+ * few cameras, at first one, and the worlds of a few moments.  The resulting list is
+ * compared on all cameras and moments.  A camera with a different picture joins the few, and
+ * the search goes on; if a later world differs, the search begins again with all moments.
+ * The search ends with a list that is right for all cameras and moments. */
 #include "component_search.h"
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
 #include "component_needs.h"
 #include "fixed/arithmetic.h"
+
+#define MOMENTS_FEW 3           /* two seconds without a user */
 
 typedef struct {
     const component_search_request *request;
@@ -20,7 +23,9 @@ typedef struct {
     uint32_t        n_few;
     component_set   in;             /* current list */
     component_set   needed;         /* components that are never left out */
-    component_set   moved;          /* last set that steps worlds as all components do */
+    component_set   moved;          /* last set that steps worlds as all components do, ... */
+    uint32_t        moved_for;      /* ... through so many moments */
+    uint32_t        moments;        /* moments compared at each step of the search */
     component_list  list;
     bool            lean;           /* draw with the reduced assets */
     int             code;           /* error that stopped the search */
@@ -58,16 +63,18 @@ static bool moves_as(const component_set *a, const component_set *b)
     return true;
 }
 
-/* True if a program steps the worlds as all components do.  Stepping is slow: a set with
- * the same moving components as the last set is not stepped again. */
+/* True if a program steps the worlds as all components do through the first moments.
+ * Stepping is slow: a set with the same moving components as the last set is not stepped
+ * again. */
 static bool moves_same(component_search *s, const component_set *set,
-                       const dry_run_program *by)
+                       const dry_run_program *by, uint32_t moments)
 {
-    if (moves_as(set, &s->moved))
+    if (s->moved_for >= moments && moves_as(set, &s->moved))
         return true;
-    if (!dry_run_moves_same(&s->run, by))
+    if (!dry_run_moves_same(&s->run, by, moments))
         return false;
     s->moved = *set;
+    s->moved_for = moments;
     return true;
 }
 
@@ -84,7 +91,8 @@ static bool will_do(component_search *s, const component_set *set, bool all,
                            all ? s->run.cameras : s->n_few, NULL, s->want, &first);
     if (differs)
         *differs = first;
-    return !s->code && first == s->run.cameras && moves_same(s, set, &by);
+    return !s->code && first == s->run.cameras
+           && moves_same(s, set, &by, all ? s->run.moments : s->moments);
 }
 
 /* -- leaving out --------------------------------------------------------------------- */
@@ -166,9 +174,8 @@ static int refuse(const component_search *s, uint32_t camera)
                     place[0], place[1], place[2]);
 }
 
-/* Leaves out the stages that did not run, then other components.  False: no list is right
- * for all cameras; *differs: the first camera with a wrong picture. */
-static bool narrow(component_search *s, uint32_t *differs)
+/* Leaves out the stages that did not run, then other components. */
+static void leave_out_most(component_search *s)
 {
     component_set idle = { .has = { false } }, parts = { .has = { false } };
 
@@ -179,9 +186,23 @@ static bool narrow(component_search *s, uint32_t *differs)
     s->in = components_without(&s->request->without);
     leave_out_all(s, &idle);
     leave_out_all(s, &parts);
-    for (*differs = s->run.cameras; !will_do(s, &s->in, true, differs); )
-        if (s->code || *differs == s->run.cameras || !add_camera(s, *differs))
+}
+
+/* Finds a list that is right for all cameras and moments.  False: there is none; *differs:
+ * the first camera with a wrong picture. */
+static bool narrow(component_search *s, uint32_t *differs)
+{
+    leave_out_most(s);
+    for (*differs = s->run.cameras; !will_do(s, &s->in, true, differs); ) {
+        const bool moves = *differs == s->run.cameras;      /* a world differs */
+        if (s->code || (moves && s->moments == s->run.moments)
+            || (!moves && !add_camera(s, *differs)))
             return false;
+        if (moves) {
+            s->moments = s->run.moments;
+            leave_out_most(s);
+        }
+    }
     return true;
 }
 
@@ -202,6 +223,7 @@ static int find(component_search *s)
 {
     uint32_t differs;
 
+    s->moments = MOMENTS_FEW < s->run.moments ? MOMENTS_FEW : s->run.moments;
     s->needed = components_needed(s->request, s->run.ladder.count > 1);
     s->few[s->n_few++] = 0;
     s->lean = s->request->lean != NULL;
@@ -274,6 +296,7 @@ static int open_search(component_search *s, const component_search_request *requ
 
     *s = (component_search){ .request = request };
     s->moved = all;
+    s->moved_for = UINT32_MAX;
     components_list(list, &all, &request->terms);
     int code = dry_run_open(
         &s->run, &(dry_run_program){ &list->program, request->scene, request->assets },

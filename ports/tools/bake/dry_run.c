@@ -55,15 +55,15 @@ static tp_input random_input(uint64_t *state)
     return in;
 }
 
-/* Steps the world.  Each moment's world is stored in `to` or, if `to` is NULL, compared
- * with the stored world; false: a world differs. */
+/* Steps the world through the first moments.  Each moment's world is stored in `to` or, if
+ * `to` is NULL, compared with the stored world; false: a world differs. */
 static bool step_all(const dry_run *d, const dry_run_program *by, tp_world *world,
-                     uint8_t *to)
+                     uint32_t moments, uint8_t *to)
 {
     const uint32_t every = d->acts ? EVERY : ALONE;
     uint64_t state = 1;
 
-    for (uint32_t m = 0; m < d->moments; m++) {
+    for (uint32_t m = 0; m < moments; m++) {
         for (uint32_t k = 0; m && k < every; k++) {
             const tp_input in = random_input(&state);
             const bool acts = d->acts && m > d->moments / 2;
@@ -77,7 +77,7 @@ static bool step_all(const dry_run *d, const dry_run_program *by, tp_world *worl
     return true;
 }
 
-bool dry_run_moves_same(const dry_run *d, const dry_run_program *by)
+bool dry_run_moves_same(const dry_run *d, const dry_run_program *by, uint32_t moments)
 {
     if (tp_world_bytes(by->program, by->scene, by->assets) != d->world_bytes)
         return false;
@@ -86,7 +86,7 @@ bool dry_run_moves_same(const dry_run *d, const dry_run_program *by)
         world
         && tp_world_init(by->program, world, d->world_bytes, by->scene, by->assets, NULL)
                == TP_OK
-        && step_all(d, by, world, NULL);
+        && step_all(d, by, world, moments, NULL);
     free(world);
     return same;
 }
@@ -174,7 +174,7 @@ int dry_run_open(dry_run *d, const dry_run_program *by, const tp_config *config,
              != TP_OK)
         code = log_fail_error("tidepool bake", &err);
     if (!code) {
-        step_all(d, by, world, d->worlds);
+        step_all(d, by, world, d->moments, d->worlds);
         choose_cameras(d, by);
     }
     free(world);

@@ -46,8 +46,8 @@ typedef struct {
 int dry_run_open(dry_run *d, const dry_run_program *by, const tp_config *config, bool acts);
 void dry_run_close(dry_run *d);
 
-/* True if the program steps the run's worlds bit for bit. */
-bool dry_run_moves_same(const dry_run *d, const dry_run_program *by);
+/* True if the program steps the run's worlds bit for bit through the first moments. */
+bool dry_run_moves_same(const dry_run *d, const dry_run_program *by, uint32_t moments);
 
 /* Draws the pictures of the cameras `which` (NULL: all); to[camera] gets the picture.
  * want: pictures of another run; drawing then ends soon after the first difference, and
