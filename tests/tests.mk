@@ -140,11 +140,11 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/charts/same.sh
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \
-               frame_hostile frame_project frame_screen_grid frame_stream frame_tiles \
-               interact_setting mesh_triangulate_large raster_attributes raster_fill undo), \
-               $(UNIT))
-# The random scenes, tapes and builds that a whole run has fewer of, and riscv64; boards
-# at -O2, and more numbers of threads.
+               frame_history frame_hostile frame_project frame_screen_grid frame_stream \
+               frame_tiles interact_setting mesh_triangulate_large raster_attributes \
+               raster_fill undo), $(UNIT))
+# The random scenes, tapes and builds that a whole run has fewer of, i386 and riscv64;
+# boards at -O2, and more numbers of threads.
 soak-tests: everything build/host/count.so
 	@$(MAKE) --no-print-directory $(SAN) unit
 	@TP_SOAK=1 TP_SCENES=10000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \

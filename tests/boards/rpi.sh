@@ -4,7 +4,7 @@
 # and in 16 bits, from the ELF file and from the image for a card; frames reported on the
 # serial port equal the host's, also after lines that set the scene's numbers; each fault
 # is one clear line. The boards' programs are built at -O1, with TP_SOAK set at -O2 as they
-# are for use.
+# are for use, and raspi0's as well.
 #     rpi.sh [PROGRAM]
 . "$(dirname "$0")/../lib/script.sh"
 
@@ -17,8 +17,7 @@ same=build/host/tests/boards/same_picture
 
 # board | emulator | triple | option that loads a card's image at the firmware's address
 loader='-device loader,force-raw=on,cpu-num=0,addr=0x8000,file=@'
-boards="
-raspi0  | arm     | arm-none-eabi     | $loader
+boards="${TP_SOAK:+raspi0 | arm | arm-none-eabi | $loader}
 raspi2b | arm     | arm-none-eabi     | $loader
 raspi3b | aarch64 | aarch64-linux-gnu | -kernel @
 "

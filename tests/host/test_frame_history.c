@@ -18,7 +18,7 @@
 
 enum { WIDTH = 96, HEIGHT = 72, PIXELS = WIDTH * HEIGHT,
        MOMENTS = 4, EVERY = 40,         /* ticks between moments */
-       PICTURES = 24 };                 /* a scene */
+       PICTURES = 24, SOME = 12 };      /* a scene; under the sanitizers */
 
 typedef struct {
     scene_file file;
@@ -108,7 +108,8 @@ static void check_scene(const char *path)
     void *blocks[2] = { malloc(bytes), malloc(bytes) };
     void *scratch = malloc(tp_frame_scratch_bytes(&o.config, &o.file.scene));
     tp_frame *kept = new_frame(&o, blocks[0], bytes);
-    for (uint32_t n = 0; n < PICTURES; n++) {
+    const uint32_t pictures = (uint32_t)random_rounds(PICTURES, SOME);
+    for (uint32_t n = 0; n < pictures; n++) {
         const uint32_t at = random_below(&chance, MOMENTS);
         tp_world *world = moment(&o, MOMENTS);
         memcpy(world, moment(&o, at), o.world_bytes);
