@@ -49,7 +49,7 @@ plot csv using (of("shipped", "ssim")):(row(strcol("scene"))):(column("least")):
 set lmargin at screen 0.795
 set rmargin at screen 0.98
 set xtics 1
-set xrange [0:4]
+set xrange [0:5]
 set xlabel "twinkle"
 set arrow 1 from 1,graph 0 to 1,graph 1 nohead linecolor rgb grey dashtype 2
 plot csv using (of("shipped", "twinkle")):(row(strcol("scene"))) \
