@@ -94,15 +94,17 @@ quick-tests: quick
 
 # -- make test-all ---------------------------------------------------------------------
 
-# All tests run under the sanitizers, except: tests that measure errors do so in the soak
-# only; threads have a test of their own. The second copy of the pixel loops is compiled
-# with light optimisation, and sanitized only where its source differs from the first
-# copy.
+# Tests run under the sanitizers, except: those of errors, of stability and others that take
+# longest are sanitized in the soak only; threads have a test of their own. The second copy
+# of the pixel loops is compiled with light optimisation, and sanitized only where its
+# source differs from the first copy.
 SAN     := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
            V3_OPT='-O1 -march=x86-64-v3' V3_SAME_OPT=-fno-sanitize=all \
            TESTS_OPT=-O0 CHECKED=1
-SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% $(addprefix %/test_, \
-               features_water_quick_light features_water_quick_even threads),$(UNIT))
+SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% $(BUILD)/tests/stability/% \
+               $(addprefix %/test_, app_overlay features_water_quick_even \
+               features_water_quick_light quality_fixed_cost quality_plan rows threads \
+               undo),$(UNIT))
 sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO) $(REPLAY)
 at_san   = $(patsubst $(BUILD)/%,build/san/%,$1)
 
@@ -124,11 +126,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
 	@$(RUN) build/log/more tests/cross/run.sh tests/charts/sweep.sh tests/fuzz/replay.sh \
-	    tests/boards/cortex-m.sh $(SLOW) \
-	    tests/gates/arm.sh tests/gates/clang.sh \
-	    tests/gates/sanitized.sh \
-	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture \
-	        threads) \
+	    tests/boards/cortex-m.sh $(SLOW) tests/gates/arm.sh tests/gates/clang.sh \
+	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
 	    tests/budgets/prices.sh \
@@ -141,8 +140,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \
                frame_history frame_hostile frame_project frame_screen_grid frame_stream \
-               frame_tiles interact_setting mesh_triangulate_large raster_attributes \
-               raster_fill undo), $(UNIT))
+               frame_tiles interact_setting mesh_triangulate_large quality_fixed_cost \
+               quality_plan raster_attributes raster_fill undo), $(UNIT))
 # The random scenes, tapes and builds that a whole run has fewer of, i386 and riscv64;
 # boards at -O2, and more numbers of threads.
 soak-tests: everything build/host/count.so

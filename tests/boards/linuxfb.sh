@@ -36,12 +36,12 @@ three-swells-screen --on fb --size 641x480 2>/tmp/said
 check "what is larger than the screen is refused" ended 4 $? "smaller than the picture"
 EOF
 
-# mode | VESA's number | best format for the mode | significant bits a channel; 555 and 24
-# with TP_SOAK only
+# mode | VESA's number | best format for the mode | significant bits a channel; with
+# TP_SOAK all, else p8 and 32
 while IFS='|' read -r mode number format bits; do
     mode=$(echo $mode) format=$(echo $format) bits=$(echo $bits)
     case ${TP_SOAK:-}$mode in
-    555|24) continue ;;
+    555|565|24) continue ;;
     esac
     "$program" render $scene --size 640x480 --frames 3:3 --format $format \
         --out "$vm_work/$mode.png" >"$scratch/output" || cat "$scratch/output"
