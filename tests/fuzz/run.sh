@@ -55,17 +55,6 @@ check "the fuzz targets build" build SAY=@ TARGET=fuzz CC=clang V3_C= CHECKED=1 
          -fno-sanitize-recover=all" LDFLAGS="-fsanitize=$sanitize" fuzzers
 [ "$failed" -eq 0 ] || exit 1
 
-described()     # each target has seeds, and a row of the table
-{
-    for source in tests/fuzz/fuzz_*.c; do
-        target=$(basename "$source" .c)
-        grep -q "^| \`$target\` |" tests/fuzz/README.md ||
-            { echo "no row of $target"; return 1; }
-        ls "tests/fuzz/${target#fuzz_}" | grep -vqx README.md || return 1
-    done
-}
-check "each fuzz target has seeds and its row in tests/fuzz/README.md" described
-
 names=${FUZZ_ONLY:-$(ls tests/fuzz/fuzz_*.c | sed 's,.*/fuzz_,,; s,\.c$,,')}
 printf '%s\n' $names | xargs -P "$(nproc)" -I{} "$0" -one {} "$scratch" |
     tee "$scratch/results"
