@@ -45,10 +45,11 @@ TP_BEGIN_C
  *
  * The same version draws the same bits on every machine.  MAJOR rises when a program that
  * used the API no longer compiles or changes its meaning, MINOR when pictures change or
- * the API grows, PATCH otherwise.  While MAJOR is 0, MINOR stands for both. */
+ * the API grows, PATCH otherwise.  While MAJOR is 0, MINOR rises when programs or scene
+ * files must change, PATCH when pictures change. */
 #define TP_VERSION_MAJOR 0
 #define TP_VERSION_MINOR 2
-#define TP_VERSION_PATCH 1
+#define TP_VERSION_PATCH 2
 #define TP_VERSION_DATE  "2026-11-28"
 
 /* The version as one number, to compare in #if: MAJOR 1000000 + MINOR 1000 + PATCH;
