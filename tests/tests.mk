@@ -144,16 +144,18 @@ MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot
                quality_plan raster_attributes raster_fill undo), $(UNIT))
 # The random scenes, tapes and builds that a whole run has fewer of, i386 and riscv64;
 # boards at -O2, and more numbers of threads.
-soak-tests: everything build/host/count.so
-	@$(MAKE) --no-print-directory $(SAN) unit
-	@TP_SOAK=1 TP_SCENES=10000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200 \
-	    TP_BUILD=build/san tests/run.sh build/log/soak tests/gates/coverage.sh \
-	    tests/cross/run.sh tests/boards/rpi.sh tests/host/threads.sh \
-	    tests/budgets/prices.sh tests/fuzz/run.sh tests/budgets/models-count.sh \
-	    tests/host/saves.sh tests/bench/views.sh tests/gates/sanitized.sh \
-	    tests/boards/linuxfb.sh tests/host/generators.sh \
+SOAK    := TP_SOAK=1 TP_SCENES=10000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200
+soak-tests: everything build/host/count.so build/host/tally.so
+	@$(MAKE) --no-print-directory $(SAN) unit sanitized
+	@$(SOAK) $(RUN) build/log/soak \
+	    $(patsubst %,tests/gates/%.sh,coverage sanitized) \
+	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh \
+	    $(patsubst %,tests/boards/%.sh,rpi linuxfb) \
+	    $(patsubst %,tests/budgets/%.sh,prices models-count) \
+	    $(patsubst %,tests/host/%.sh,threads saves generators); scripts=$$?; \
+	$(SOAK) TP_BUILD=build/san tests/run.sh build/log/soak-sanitized \
 	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/%, \
-            $(UNIT)) $(MORE_ROUNDS))
+            $(UNIT)) $(MORE_ROUNDS)) && exit $$scripts
 fuzzers: $(FUZZ)
 list-tests:
 	@for test in $(patsubst $(BUILD)/%,%,$(UNIT) $(GOLDEN)) $(LEFT_OUT); do \

@@ -5,11 +5,12 @@
 #
 #   tests/bench/views.sh [PROGRAM [SCENE[,NAME=VALUE]...]...]
 #
-# TP_VIEWS (80) of each scene; TP_SEED sets the places. A case fails above TP_MOST (4)
-# times the median. PROGRAM is given to each test and is not used here.
+# TP_VIEWS of each scene, 80 or with TP_SOAK 200; TP_SEED sets the places. A case fails
+# above TP_MOST (4) times the median. PROGRAM is given to each test and is not used here.
 . "$(dirname "$0")/../lib/script.sh"
 
-views=${TP_VIEWS:-80}
+views=${TP_SOAK:+200}
+views=${TP_VIEWS:-${views:-80}}
 [ $# -gt 0 ] && shift
 [ $# -gt 0 ] || set -- count-64 three-swells,boat.mesh= three-swells
 build=${TP_BUILD:-build/host}

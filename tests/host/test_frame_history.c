@@ -83,7 +83,7 @@ static void draw(tp_frame *frame, const tp_world *world, void *scratch, uint32_t
 }
 
 /* Takes the scene's own camera, one near it, or one under water. */
-static void take_camera(const tp_program *program, tp_world *world)
+static void take_camera(tp_world *world)
 {
     const uint32_t kind = random_below(&chance, 3);
     tp_vec3 eye = tp_world_camera(world).eye;
@@ -93,7 +93,7 @@ static void take_camera(const tp_program *program, tp_world *world)
     eye.x += chance_fx(&chance, -6, 6);
     eye.z += chance_fx(&chance, -6, 6);
     eye.y = kind == 1 ? eye.y + chance_fx(&chance, -0.5, 6)
-                      : tp_world_sample(program, world, eye.x, eye.z).height
+                      : tp_world_sample(&tp_program_all, world, eye.x, eye.z).height
                         - chance_fx(&chance, 0.1, 2);
     tp_world_set_camera(world, eye, (tp_turn)random_next(&chance),
                         (tp_turn)chance_int(&chance, -(3 << 27), 1 << 27), 0);
@@ -113,7 +113,7 @@ static void check_scene(const char *path)
         const uint32_t at = random_below(&chance, MOMENTS);
         tp_world *world = moment(&o, MOMENTS);
         memcpy(world, moment(&o, at), o.world_bytes);
-        take_camera(&tp_program_all, world);
+        take_camera(world);
         draw(kept, world, scratch, old);
         draw(new_frame(&o, blocks[1], bytes), world, scratch, fresh);
         if (memcmp(old, fresh, sizeof old) != 0)
