@@ -72,6 +72,24 @@ typedef enum { TP_SHADING_AUTO, TP_SHADING_EXACT, TP_SHADING_QUICK } tp_shading;
  * colour is interpolated. */
 typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_rate;
 
+/* Effects with cheaper rungs: name, words of the rungs from dearest to cheapest, number of
+ * the last rung, help.  The row of an effect is quality.NAME.  `auto` is the exact rung
+ * until the plan knows the prices of the effects. */
+#define TP_EFFECT_LIST(X) \
+    X(sky, "auto|exact|fast", 2, "colours of the sky: each pixel, or a lattice") \
+    X(haze, "auto|exact|fast", 2, "haze: each pixel, or blocks of pixels") \
+    X(foam, "auto|exact|fast", 2, "foam: each pixel, or pairs of pixels") \
+    X(objects, "auto|exact|fast", 2, "mirrored objects: each pixel, or blocks of pixels") \
+    X(refraction, "auto|exact|fast", 2, "view into water: each pixel, or a lattice") \
+    X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone")
+
+#define X(name, words, last, help) TP_EFFECT_##name,
+typedef enum { TP_EFFECT_LIST(X) TP_EFFECTS } tp_effect;
+#undef X
+
+/* The first rungs of every effect. */
+enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST };
+
 #define TP_NAME_BYTES 128       /* bytes of a name in a scene, terminating zero included */
 
 /* A pool: a grid of cells that simulates waves in shallow water. */
@@ -223,6 +241,7 @@ typedef struct tp_scene {
     struct {                                /* quality targets */
         tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
         int32_t visibility, shading, rate;          /* rungs; auto: the plan chooses */
+        int32_t effect[TP_EFFECTS];                 /* rungs of effects */
         tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
     } quality;
     int32_t own[TP_OWN_WORDS];              /* settings of the application's own modules */

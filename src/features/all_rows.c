@@ -157,6 +157,11 @@ static const tp_param rows[] = {
     TP_ROW_CHOICE("quality.rate", quality.rate, "auto|full|layers|colour",
         TP_RATE_COLOUR, TP_RATE_AUTO,
         "computed for every second pixel only: nothing, the layers, the colour"),
+#define X(name, words, last, help) \
+    TP_ROW_CHOICE("quality." #name, quality.effect[TP_EFFECT_##name], words, last, \
+                  TP_RUNG_AUTO, help),
+    TP_EFFECT_LIST(X)
+#undef X
     TP_ROW_NUMBER("quality.frame_ms", quality.frame_ms, "ms", 0, 10000, 0,
         "time limit of a frame; quality steps down to hold it; 0: off"),
 

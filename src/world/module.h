@@ -65,7 +65,9 @@ enum {
     TP_MODULE_PANES  = 1024,    /* has stages that run after the tone mapping */
     TP_MODULE_COASTAL = 2048,   /* waves depend on a floor or on wind */
     TP_MODULE_MIRROR = 4096,    /* planar reflection of solid objects */
-    TP_MODULE_OUTLINES = 8192   /* outlines of meshes by coverage */
+    TP_MODULE_OUTLINES = 8192,  /* outlines of meshes by coverage */
+    TP_MODULE_UNPRICED = 16384  /* water stage whose fast form the plan has no price for:
+                                 * fast shading only where the scene names it */
 };
 
 /* The kind of samples that a module draws, in the upper bits of tp_module.is. */

@@ -22,6 +22,7 @@ typedef struct {
     uint32_t     threads;           /* number of threads, 0: not given */
     uint64_t     memory;            /* upper bound of memory, bytes; 0: unlimited */
     int32_t      visibility;        /* tp_visibility; auto: the scene's value */
+    const char  *rung;              /* rungs of all kinds and effects; NULL: the scene's */
     bool         hash, stats, csv;
     bool         strict;            /* refuse a mesh with missing or faulty files */
     bool         quiet;             /* no warnings on loading; set by no option */

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "app/scene/frame_renderer.h"
+#include "app/scene/scene_file.h"
 #include "pixel/pixel.h"
 #include "tools/bench/bench_scene.h"
 #include "world/text.h"
@@ -129,6 +130,12 @@ static const char *read_visibility(options *o, const char *value)
         return "auto, triangles, rows, projected or flat";
     o->visibility = scene.quality.visibility;
     return NULL;
+}
+
+static const char *read_rung(options *o, const char *value)
+{
+    o->rung = value;
+    return scene_file_knows_rung(value) ? NULL : "exact, planned or fast";
 }
 
 static const char *read_machine(options *o, const char *value)
@@ -258,6 +265,8 @@ const option_row args_rows[] = {
       "prefix of the C names; the scene's name by default" },
     { "--set", "NAME=VALUE", DRAWERS | FOR_PARAMS | FOR_BAKE | FOR_PLAN, read_set,
       "change one parameter of the scene; may be repeated" },
+    { "--rung", "NAME", RARE | DRAWERS | FOR_BAKE | FOR_PLAN, read_rung,
+      "quality of all effects: exact, planned or fast" },
     { "--only", "GROUP", FOR_PARAMS, read_only,
       "only names that begin with GROUP: water, wave0., boat.m" },
     { "--out", "FILE", FOR_RENDER, read_out,

@@ -13,6 +13,8 @@
 int loaded_scene_read(scene_file *file, const options *o)
 {
     int code = scene_file_open(file, o->scene);
+    if (!code && o->rung)
+        scene_file_set_rung(file, o->rung);
     for (uint32_t i = 0; i < o->n_settings && !code; i++)
         code = scene_file_set(file, o->settings[i]);
     if (!code && o->visibility) {

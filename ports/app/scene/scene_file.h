@@ -2,6 +2,7 @@
 /* A scene as given by a user: an INI file and settings of the command line. */
 #ifndef TP_APP_SCENE_SCENE_FILE_H
 #define TP_APP_SCENE_SCENE_FILE_H
+#include <stdbool.h>
 #include <stdint.h>
 #include "old_name_note.h"
 #include "older_grid.h"
@@ -35,6 +36,11 @@ int  scene_file_find(scene_file *file, const char *given);
 
 /* Prints a warning for the old names of rows in the file, and one for those of --set. */
 void scene_file_report_old_names(const scene_file *file);
+
+/* Sets the rungs of all kinds and effects: "exact", "planned" (every rung left to the plan)
+ * or "fast" (fast shading, and the cheapest rung of each effect). */
+bool scene_file_knows_rung(const char *name);
+void scene_file_set_rung(scene_file *file, const char *name);
 
 /* Checks "name=value" without setting it.  Returns the row, by its present name or an
  * earlier one; *value points after the "=".

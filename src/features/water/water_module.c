@@ -129,17 +129,24 @@ static void set_reflectance_traits(const tp_module_conditions *conditions,
 
 /* -- fast shading -------------------------------------------------------------------- */
 
-/* True if fast shading can draw the water.  Fast stages handle layers, ripples, a
- * reflected sky and glints, and pass on a colour only.  Scenes with other features use
- * exact stages.  Smooth water would show the cells of a dome or a cube, so those skies
- * need ripples. */
-bool tp_fast_water_enabled(const tp_module_conditions *conditions)
+/* True if the plan may choose fast shading: the scene has only what its prices were
+ * measured with.  Fast stages do not reflect light beyond white; smooth water shows the
+ * cells of a dome or a cube. */
+static bool is_priced(const tp_module_conditions *conditions)
 {
     const bool sky = conditions->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
 
+    return conditions->scene->hdr.share <= 0 && (tp_ripple_enabled(conditions) || !sky)
+           && !(conditions->above & TP_MODULE_UNPRICED);
+}
+
+/* True if fast shading can draw the water, and the plan or the scene may choose it. */
+bool tp_fast_water_enabled(const tp_module_conditions *conditions)
+{
     return (conditions->shadings >> TP_SHADING_QUICK & 1)
-           && conditions->scene->hdr.share <= 0 && (tp_ripple_enabled(conditions) || !sky)
-           && !(conditions->above & TP_MODULE_EXACT);
+           && !(conditions->above & TP_MODULE_EXACT)
+           && (conditions->scene->quality.shading == TP_SHADING_QUICK
+               || is_priced(conditions));
 }
 
 /* -- the modules --------------------------------------------------------------------- */
