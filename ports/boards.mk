@@ -9,7 +9,8 @@ DRAWN    := $(patsubst tests/golden/scenes/%.ini,%,$(wildcard tests/golden/scene
 # -- bake ------------------------------------------------------------------------------
 
 # Scenes are baked once for each processor, and again when the code that writes them
-# changes. SCENE=harbour@32 limits textures to 32 texels a side.
+# changes. SCENE=harbour@32 limits textures to 32 texels a side; SCENE=harbour+cheap takes
+# the rungs of tests/budgets/cheapest.txt.
 BAKES    := $(wildcard ports/tools/bake/*.c ports/app/scene/assets*.c \
                 ports/app/scene/scene*.c ports/app/files/*_read.c src/mesh/*.c \
                 src/features/all_rows.c include/tidepool/*.h)
@@ -27,6 +28,8 @@ $1/%.c: ports/cortex-m/scenes/%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2)
 $1/%.c: tests/golden/scenes/%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2)
+$1/%+cheap.c: assets/scenes/%.ini tests/budgets/cheapest.txt $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2 $$$$(sed -n 's/^$$* //p' tests/budgets/cheapest.txt))
 $1/%.c: $3 $$(BAKED_FROM)
 	$(call bake,assets/scenes/$$(basename $$(@F)).ini,$2)
 $1/board-%.c: tests/budgets/board-%.ini $3 $$(BAKED_FROM)

@@ -83,10 +83,6 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(refraction, "auto|exact|fast", 2, "view into water: each pixel, or a lattice") \
     X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone")
 
-#define X(name, words, last, help) TP_EFFECT_##name,
-typedef enum { TP_EFFECT_LIST(X) TP_EFFECTS } tp_effect;
-#undef X
-
 /* The first rungs of every effect. */
 enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST };
 
@@ -241,7 +237,9 @@ typedef struct tp_scene {
     struct {                                /* quality targets */
         tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
         int32_t visibility, shading, rate;          /* rungs; auto: the plan chooses */
-        int32_t effect[TP_EFFECTS];                 /* rungs of effects */
+#define X(name, words, last, help) int32_t name;    /* rung of an effect */
+        TP_EFFECT_LIST(X)
+#undef X
         tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
     } quality;
     int32_t own[TP_OWN_WORDS];              /* settings of the application's own modules */

@@ -158,7 +158,7 @@ static const tp_param rows[] = {
         TP_RATE_COLOUR, TP_RATE_AUTO,
         "computed for every second pixel only: nothing, the layers, the colour"),
 #define X(name, words, last, help) \
-    TP_ROW_CHOICE("quality." #name, quality.effect[TP_EFFECT_##name], words, last, \
+    TP_ROW_CHOICE("quality." #name, quality.name, words, last, \
                   TP_RUNG_AUTO, help),
     TP_EFFECT_LIST(X)
 #undef X

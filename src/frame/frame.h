@@ -93,13 +93,6 @@ struct tp_frame {
                               const uint32_t *colours, int count);
 };
 
-/* Returns the rung of an effect in this frame's scene: TP_RUNG_EXACT, TP_RUNG_FAST ... */
-static inline int tp_frame_effect_rung(const tp_frame *frame, tp_effect effect)
-{
-    const int32_t named = frame->scene->quality.effect[effect];
-    return named > TP_RUNG_AUTO ? named : TP_RUNG_EXACT;
-}
-
 /* Returns the shader list of a stencil value. */
 static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
 {

@@ -6,7 +6,8 @@
 #
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #
-# For named scenes the functions are listed too. --write writes a new scenes.csv.
+# For named scenes the functions are listed too. SCENE+cheap is the scene at the rungs of
+# tests/budgets/cheapest.txt. --write writes a new scenes.csv.
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
 
@@ -28,13 +29,19 @@ check "the programs for the board build" build BOARD=cortex-m SCENES="$*" elves
 
 # -- one scene; scenes run in parallel ------------------------------------------------
 
+options_of()    # SCENE: the options of its rungs
+{
+    case $1 in *+cheap) sed -n "s/^${1%+cheap} //p" tests/budgets/cheapest.txt ;; esac
+}
+
 one()           # SCENE: its figures, or the reason why there are none
 {
     elf=build/cortex-m/scenes/$1.elf
     to=$scratch/$1
     emulate "$elf" "$to.said" "$to.counts" || { cat "$to.said"; return 1; }
-    "$program" render "assets/scenes/$1.ini" --size 320x240 --frames 60:61 \
-        --format rgb565 --hash >"$to.host" || return 1
+    # shellcheck disable=SC2046
+    "$program" render "assets/scenes/${1%+cheap}.ini" --size 320x240 --frames 60:61 \
+        --format rgb565 --hash $(options_of "$1") >"$to.host" || return 1
     grep '^frame' "$to.said" | diff "$to.host" - || return 1
     pieces_of "$elf" >"$to.pieces"
     links_no_more "$to.pieces" "build/cortex-m/baked/$1.c" || return 1

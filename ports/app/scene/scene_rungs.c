@@ -15,15 +15,6 @@ static const int32_t kinds[NAMES][3] = {
     [FAST] = { TP_VISIBILITY_AUTO, TP_SHADING_QUICK, TP_RATE_AUTO },
 };
 
-static const int32_t effects[NAMES][TP_EFFECTS] = {
-#define X(name, words, last, help) TP_RUNG_EXACT,
-    [EXACT] = { TP_EFFECT_LIST(X) },
-#undef X
-#define X(name, words, last, help) last,
-    [FAST] = { TP_EFFECT_LIST(X) },
-#undef X
-};
-
 static int find_name(const char *name)
 {
     int n = 0;
@@ -37,18 +28,26 @@ bool scene_file_knows_rung(const char *name)
     return find_name(name) < NAMES;
 }
 
+/* Marks a row as set by the command. */
+static void name_row(scene_file *file, const char *row)
+{
+    uint32_t count;
+    file->set_at[tp_param_find(row, strlen(row)) - tp_params(&count)] = SET_BY_COMMAND;
+}
+
 void scene_file_set_rung(scene_file *file, const char *name)
 {
-    static const char first[] = "quality.visibility";
-    uint32_t count;
     const int n = find_name(name);
-    const tp_param *rows = tp_params(&count);
-    const uint32_t at = (uint32_t)(tp_param_find(first, sizeof first - 1) - rows);
 
+    name_row(file, "quality.visibility");
+    name_row(file, "quality.shading");
+    name_row(file, "quality.rate");
     file->scene.quality.visibility = kinds[n][0];
     file->scene.quality.shading = kinds[n][1];
     file->scene.quality.rate = kinds[n][2];
-    memcpy(file->scene.quality.effect, effects[n], sizeof effects[n]);
-    for (uint32_t i = 0; i < 3 + TP_EFFECTS; i++)   /* the rows follow one another */
-        file->set_at[at + i] = SET_BY_COMMAND;
+#define X(effect, words, last, help) \
+    name_row(file, "quality." #effect); \
+    file->scene.quality.effect = n == EXACT ? TP_RUNG_EXACT : n == FAST ? (last) : 0;
+    TP_EFFECT_LIST(X)
+#undef X
 }
