@@ -243,7 +243,9 @@ typedef struct {
     /* half rate lighting: light and reflection of even columns; */ \
     X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
     X(quick_odd_fill)       /* interpolates odd columns; */ \
-    X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */
+    X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */ \
+    /* mirrored objects in place of the reflected sky */ \
+    X(quick_over_gradient) X(quick_over_dome) X(quick_over_cube)
 #define TP_STAGES_OF_underwater(X) \
     X(underside) X(underside_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
@@ -253,7 +255,9 @@ typedef struct {
     X(tank_side)            /* water behind the glass */ \
     X(pane)                 /* the glass, after tone mapping */
 #define TP_STAGES_OF_caustics(X)
-#define TP_STAGES_OF_mirror(X)      X(mirrored)         /* objects, over the sky's mirror */
+#define TP_STAGES_OF_mirror(X)      \
+    X(mirrored) X(mirrored_fast)        /* objects, over the sky's mirror; by blocks */ \
+    X(quick_objects)        /* mirror: objects alone, by blocks */
 #define TP_STAGES_OF_object_cube(X) X(mirrored_object_cube) /* the same from a cube map */
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_clear_water(X) \

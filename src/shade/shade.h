@@ -149,6 +149,8 @@ typedef struct tp_run {
         uint8_t end, places;    /* end column; stored positions up to there */
     } span[TP_RUN / 16];
     uint32_t spans;
+    uint32_t objects;           /* fast stages: bit k: `mirror` has the mirrored objects of
+                                 * the run's block k, see tp_block_number */
     const void *mine;           /* data of the module whose stage runs */
     const uint32_t *key, *s, *t, *n;    /* the G-buffer: depth_stencil, s, t, normal */
     const uint32_t *ls, *lt;    /* positions for layers: s and t, unless bent */
@@ -282,6 +284,12 @@ static inline int32_t tp_block_end(const tp_run *run, int32_t i)
     TP_ASSERT(i < run->count);
     int32_t end = i + 16 - ((run->x + i) & 15);
     return end < run->count ? end : run->count;
+}
+
+/* Returns the number of the block of sample i, 0..TP_RUN / 16 - 1. */
+static inline uint32_t tp_block_number(const tp_run *run, int32_t i)
+{
+    return (uint32_t)(run->x + i) % TP_RUN / 16;
 }
 
 /* Returns sixteenths of a pixel over the focal length, Q16. */

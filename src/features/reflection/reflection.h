@@ -7,6 +7,7 @@
  *
  *     reflection_drawing.c   the modules, and their pictures; cost
  *     reflection_stage.c     their span stages
+ *     fast_reflection_stage.c  the planar reflection by blocks of pixels
  */
 #ifndef TP_FEATURES_REFLECTION_REFLECTION_H
 #define TP_FEATURES_REFLECTION_REFLECTION_H
@@ -28,6 +29,27 @@ typedef struct {
     int64_t  height;            /* eye over the mirror's level, Q12 near planes */
     const tp_mirrored_zi *zi;   /* array, one for each column from x0 on */
 } tp_mirror;
+
+/* Displacements on the screen, 28.4 px: xu xv zu zv for a slope of 1 and share 1; hu hv
+ * for h / zm = 1. */
+typedef struct {
+    int32_t xu, xv, zu, zv, hu, hv;
+    int32_t dy;                 /* y of the ray, Q16 */
+} tp_mirror_push;
+
+/* reflection_stage.c.  Returns the factors at column x of row y. */
+tp_mirror_push tp_mirror_push_make(const tp_shade *shade, int32_t x, int32_t y);
+
+/* Returns z / zm, Q16, clamped below 2. */
+TP_ALWAYS_INLINE int32_t tp_mirror_depth_ratio(uint32_t object_zi,
+                                                       uint32_t water_key)
+{
+    uint32_t zi = tp_key_zi(water_key);
+    int      shift = tp_clz(zi);
+    uint64_t ratio = (uint64_t)object_zi * (uint32_t)tp_recip_rough(zi << shift)
+                  >> (46 - shift);
+    return ratio < 131071 ? (int32_t)ratio : 131071;
+}
 
 #define TP_OBJECT_CUBE_ID TP_MODULE_ID('c', 'u', 'b', 'e')
 

@@ -9,18 +9,6 @@
 #include "quality/prices.h"
 #include "tidepool/modules.h"
 
-/* -- adding the stage ---------------------------------------------------------------- */
-
-/* Adds the stage of reflected objects.  Water without a reflected sky does not reflect
- * objects either. */
-static inline void add_reflected_objects_stage(const tp_frame *frame, const void *mine,
-                                               const tp_stage *stage, tp_shaders *list)
-{
-    (void)frame;
-    if (tp_shaders_has(list, TP_AT_REFLECT))
-        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
-}
-
 /* -- the planar reflection ----------------------------------------------------------- */
 
 /* A planar map of the objects above the water.  The map is the view of a mirrored camera:
@@ -190,10 +178,25 @@ const tp_module tp_mirror_module = {
     .trait = TP_TRAIT_objects, .enabled = tp_mirror_enabled,
 };
 
+/* Indices in the program's table of stages. */
+enum { EXACT, BY_BLOCKS, FAST };
+
+/* Adds the stage.  Water without a reflected sky does not reflect objects either. */
+static void add_mirror_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                             tp_shaders *list)
+{
+    const bool blocks = frame->scene->quality.objects == TP_RUNG_FAST;
+
+    if (list->kind == TP_LIST_FAST)
+        tp_shaders_add(list, TP_AT_OBJECTS, stage[FAST], mine);
+    else if (tp_shaders_has(list, TP_AT_REFLECT))
+        tp_shaders_add(list, TP_AT_OBJECTS, stage[blocks ? BY_BLOCKS : EXACT], mine);
+}
+
 const tp_drawing tp_mirror_drawing = {
     .layout = layout_mirror,
     .draw_map = draw_mirror_map,
-    .stages = add_reflected_objects_stage,
+    .stages = add_mirror_stage,
 };
 
 /* -- the object cube map ------------------------------------------------------------- */
@@ -329,8 +332,16 @@ const tp_module tp_object_cube_module = {
     .trait = TP_TRAIT_objects, .enabled = tp_object_cube_enabled,
 };
 
+static void add_cube_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
+                           tp_shaders *list)
+{
+    (void)frame;
+    if (tp_shaders_has(list, TP_AT_REFLECT))
+        tp_shaders_add(list, TP_AT_OBJECTS, stage[0], mine);
+}
+
 const tp_drawing tp_object_cube_drawing = {
-    .layout = layout_cube, .draw_map = draw_cube_map, .stages = add_reflected_objects_stage,
+    .layout = layout_cube, .draw_map = draw_cube_map, .stages = add_cube_stage,
 };
 
 /* -- cost ---------------------------------------------------------------------------- */

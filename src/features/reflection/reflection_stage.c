@@ -29,13 +29,6 @@
  * Displacements are linear in the slopes; their factors are computed at every 16th
  * column. */
 
-/* Displacements on the screen, 28.4 px: xu xv zu zv for a slope of 1 and share 1; hu hv
- * for h / zm = 1. */
-typedef struct {
-    int32_t xu, xv, zu, zv, hu, hv;
-    int32_t dy;                 /* y of the ray, Q16 */
-} push;
-
 typedef struct {
     int32_t x, y, z;            /* direction, Q16 */
 } axis;
@@ -68,7 +61,7 @@ TP_ALWAYS_INLINE int64_t difference_of_products(int32_t a, int32_t b, int32_t c,
 /* Computes the factors at column x.  Wide views have rays up to 300, 2^25 in Q16.  Rays
  * are clamped to 2048, so cross products with an axis stay below 2^30 and products of two
  * such numbers below 2^58. */
-static push displacement_factors(const tp_shade *shade, int32_t x, int32_t y)
+tp_mirror_push tp_mirror_push_make(const tp_shade *shade, int32_t x, int32_t y)
 {
     const tp_view_axes *axes = &shade->world;
     const axis r = make_axis(axes->right, 1), up = make_axis(axes->up, 1),
@@ -90,7 +83,7 @@ static push displacement_factors(const tp_shade *shade, int32_t x, int32_t y)
         difference_of_products(dy, up.z, dz, up.y) - ((int64_t)qv * az >> 16);
     const int32_t focal = shade->focal;
 
-    return (push){
+    return (tp_mirror_push){
         clamped_displacement(2 * xu, focal),
         clamped_displacement(-2 * xv, focal),
         clamped_displacement(2 * zu, focal),
@@ -101,9 +94,9 @@ static push displacement_factors(const tp_shade *shade, int32_t x, int32_t y)
     };
 }
 
-static push push_change_per_block(const push *from, const push *to)
+static tp_mirror_push push_change_per_block(const tp_mirror_push *from, const tp_mirror_push *to)
 {
-    return (push){ to->xu - from->xu, to->xv - from->xv, to->zu - from->zu,
+    return (tp_mirror_push){ to->xu - from->xu, to->xv - from->xv, to->zu - from->zu,
                    to->zv - from->zv, to->hu - from->hu, to->hv - from->hv,
                    to->dy - from->dy };
 }
@@ -113,17 +106,6 @@ static push push_change_per_block(const push *from, const push *to)
 TP_ALWAYS_INLINE int32_t interpolate_in_block(int32_t from, int32_t step, int32_t k)
 {
     return from + (step * k >> 4);
-}
-
-/* Returns z / zm, Q16, clamped below 2. */
-TP_ALWAYS_INLINE int32_t water_depth_over_object_depth(uint32_t object_zi,
-                                                       uint32_t water_key)
-{
-    uint32_t zi = tp_key_zi(water_key);
-    int      shift = tp_clz(zi);
-    uint64_t ratio = (uint64_t)object_zi * (uint32_t)tp_recip_rough(zi << shift)
-                  >> (46 - shift);
-    return ratio < 131071 ? (int32_t)ratio : 131071;
 }
 
 /* Returns a displacement below 2048 px.  Displacements by slopes fit 32 bits: factors
@@ -141,7 +123,7 @@ TP_ALWAYS_INLINE int32_t pixel_displacement(int32_t by_x, int32_t sx, int32_t by
 
 /* Returns the colour of the reflected object at column x; 0: no object. */
 TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t y,
-                                                  const push *a, const push *step,
+                                                  const tp_mirror_push *a, const tp_mirror_push *step,
                                                   int32_t x, uint32_t key, int32_t sx,
                                                   int32_t sz)
 {
@@ -150,10 +132,10 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     const tp_mirrored_zi *column =
         &look->zi[tp_clamp((x >> (1 + map->coarser)) - map->x0, 0, last)];
     uint32_t zi = column->near;
-    int32_t ratio = water_depth_over_object_depth(zi, key);
+    int32_t ratio = tp_mirror_depth_ratio(zi, key);
     if (ratio > BESIDE) {
         zi = column->far;
-        ratio = water_depth_over_object_depth(zi, key);
+        ratio = tp_mirror_depth_ratio(zi, key);
         if (ratio > 65536)
             return 0;
     }
@@ -182,10 +164,10 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
 
     if (!look->map.colour)
         return;
-    push a = displacement_factors(shade, x & ~15, run->y);
+    tp_mirror_push a = tp_mirror_push_make(shade, x & ~15, run->y);
     for (int32_t i = 0; x < end; ) {
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
-        push b = displacement_factors(shade, next, run->y),
+        tp_mirror_push b = tp_mirror_push_make(shade, next, run->y),
              step = push_change_per_block(&a, &b);
         for (; x < stop; x++, i++) {
             uint32_t top = sample_reflected_object(look, run->y, &a, &step, x,

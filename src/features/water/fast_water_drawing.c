@@ -347,6 +347,9 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
 
     if (list->kind != TP_LIST_FAST)
         return;
+    if (tp_frame_has_module(frame, TP_MODULE_MIRROR))
+        tp_shaders_add(list, TP_AT_FRESNEL,
+                       stage[TP_NTH_quick_over_gradient + (int)frame->shade.env.kind], mine);
     const chain halves = make_half_rate_colour_chain(frame, layers, stage);
     if (frame->rungs.rate == TP_RATE_COLOUR && add_chain_if_complete(list, &halves, mine))
         return;
