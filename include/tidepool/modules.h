@@ -244,6 +244,9 @@ typedef struct {
     X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
     X(quick_odd_fill)       /* interpolates odd columns; */ \
     X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */ \
+    /* bilinear textures: places, colour; half rate */ \
+    X(quick_bend_linear) X(quick_bend_linear_thin) \
+    X(quick_layers_linear) X(quick_layers_linear_thin) \
     /* mirrored objects in place of the reflected sky */ \
     X(quick_over_gradient) X(quick_over_dome) X(quick_over_cube)
 #define TP_STAGES_OF_underwater(X) \

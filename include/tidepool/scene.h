@@ -78,6 +78,8 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
 #define TP_EFFECT_LIST(X) \
     X(sky, "auto|exact|fast", 2, "colours of the sky: each pixel, or a lattice") \
     X(haze, "auto|exact|fast", 2, "haze: each pixel, or blocks of pixels") \
+    X(layers, "auto|exact|nearest", 2, "textures of water: as water.filter, or nearest") \
+    X(distortion, "auto|exact|nearest", 2, "distortion of fast textures: bilinear, or nearest") \
     X(foam, "auto|exact|fast", 2, "foam: each pixel, or pairs of pixels") \
     X(objects, "auto|exact|fast", 2, "mirrored objects: each pixel, or blocks of pixels") \
     X(refraction, "auto|exact|fast", 2, "view into water: each pixel, or a lattice") \
@@ -85,6 +87,16 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
 
 /* The first rungs of every effect. */
 enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST };
+
+/* Quality targets. */
+typedef struct {
+    tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
+    int32_t visibility, shading, rate;          /* rungs; auto: the plan chooses */
+#define X(name, words, last, help) int32_t name;    /* rung of an effect */
+    TP_EFFECT_LIST(X)
+#undef X
+    tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
+} tp_scene_quality;
 
 #define TP_NAME_BYTES 128       /* bytes of a name in a scene, terminating zero included */
 
@@ -234,14 +246,7 @@ typedef struct tp_scene {
         int32_t edges;                      /* tp_boat_edges */
     } boat;
     struct { tp_fx scale; } clock;          /* time scale, 1/8..4 [D6] */
-    struct {                                /* quality targets */
-        tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
-        int32_t visibility, shading, rate;          /* rungs; auto: the plan chooses */
-#define X(name, words, last, help) int32_t name;    /* rung of an effect */
-        TP_EFFECT_LIST(X)
-#undef X
-        tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
-    } quality;
+    tp_scene_quality quality;
     int32_t own[TP_OWN_WORDS];              /* settings of the application's own modules */
     const struct tp_assets *pictures;       /* of tp_scene_init; NULL: none */
 } tp_scene;

@@ -12,7 +12,7 @@ static const char *const names[NAMES] = { "exact", "planned", "fast" };
 static const int32_t kinds[NAMES][3] = {
     [EXACT] = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL },
     [PLANNED] = { TP_VISIBILITY_AUTO, TP_SHADING_AUTO, TP_RATE_AUTO },
-    [FAST] = { TP_VISIBILITY_AUTO, TP_SHADING_QUICK, TP_RATE_AUTO },
+    [FAST] = { TP_VISIBILITY_AUTO, TP_SHADING_QUICK, TP_RATE_FULL },
 };
 
 static int find_name(const char *name)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* First half of fast shading: a distortion, three layers and ripples, all by look-ups of
- * the nearest texel of baked textures.
+/* First half of fast shading: a distortion, three layers and ripples, by look-ups of the
+ * nearest texel of baked textures; distortion and layers bilinear too.
  *
  * Distances are quantized to half a mipmap level, once per 16 columns.  Neighbours of
  * equal distance form a span; in a span a texture has one level.
@@ -11,6 +11,7 @@
  * the even columns are lit. */
 #include "base/dsp.h"
 #include "features/water/fast_shading.h"
+#include "features/water/fast_layers_linear.h"
 #include "shade/shade.h"
 #if TP_DSP
 #include "features/water/fast_layers_m4.h"
@@ -48,7 +49,7 @@ void tp_stage_quick_mip_spans(const tp_shade *shade, tp_run *run)
 static tp_columns make_columns(const tp_run *run, int32_t first, int32_t end)
 {
     return (tp_columns){ run->s + first, run->t + first, run->n + first, end - first,
-                         (uint32_t)(run->x + first) & 1 };
+                         (uint32_t)(run->x + first), (uint32_t)(run->x + first) & 1 };
 }
 
 /* -- places of layers ---------------------------------------------------------------- */
@@ -80,42 +81,41 @@ void tp_stage_quick_still_thin(const tp_shade *shade, tp_run *run)
     }
 }
 
-void tp_stage_quick_bend(const tp_shade *shade, tp_run *run)
+typedef void (*distort_loop)(const tp_quick_map *map, int32_t mip_offset,
+                             const tp_columns *columns, uint32_t *restrict place);
+
+TP_ALWAYS_INLINE void distort(tp_run *run, int half_rate, distort_loop loop)
 {
     const tp_quick_layers *quick = run->mine;
 
-    (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(distort_places)(&quick->bend, run->span[k].mip_offset, &c, run->place + at);
+        const uint32_t first = !half_rate ? at : k ? run->span[k - 1].places : 0;
+        loop(&quick->bend, run->span[k].mip_offset, &c, run->place + first);
     }
 }
 
-void tp_stage_quick_bend_thin(const tp_shade *shade, tp_run *run)
-{
-    const tp_quick_layers *quick = run->mine;
-
-    (void)shade;
-    for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
-        const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(distort_even_places)(&quick->bend, run->span[k].mip_offset, &c,
-                        run->place + (k ? run->span[k - 1].places : 0));
-    }
-}
+#define DISTORT_STAGE(name, half_rate, loop) \
+    void tp_stage_quick_##name(const tp_shade *shade, tp_run *run) \
+    { (void)shade; distort(run, half_rate, loop); }
+DISTORT_STAGE(bend, 0, LOOP(distort_places))
+DISTORT_STAGE(bend_thin, 1, LOOP(distort_even_places))
+DISTORT_STAGE(bend_linear, 0, linear_distort_places)
+DISTORT_STAGE(bend_linear_thin, 1, linear_distort_even_places)
 
 /* -- layers -------------------------------------------------------------------------- */
 
+typedef void (*texel_loop)(const tp_quick_map *map, int32_t mip_offset,
+                           const uint32_t *restrict place, uint32_t *restrict colour,
+                           int32_t count);
+
 TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
-                                  uint32_t *colour, int half_rate, int add)
+                                  uint32_t *colour, int half_rate, texel_loop loop)
 {
     for (uint32_t k = 0, at = 0; k < run->spans; k++) {
         const uint32_t  end = half_rate ? run->span[k].places : run->span[k].end;
-        if (add)
-            LOOP(add_texels)(map, run->span[k].mip_offset, run->place + at, colour + at,
-                        (int32_t)(end - at));
-        else
-            LOOP(write_texels)(map, run->span[k].mip_offset, run->place + at, colour + at,
-                        (int32_t)(end - at));
+        loop(map, run->span[k].mip_offset, run->place + at, colour + at,
+             (int32_t)(end - at));
         at = end;
     }
 }
@@ -123,24 +123,31 @@ TP_ALWAYS_INLINE void shade_layer(const tp_quick_map *map, const tp_run *run,
 /* Shades all layers.  Without a base texture the water's colour replaces the first
  * layer. */
 TP_ALWAYS_INLINE void shade_layers(const tp_shade *shade, const tp_run *run,
-                                   uint32_t *colour, int half_rate)
+                                   uint32_t *colour, int half_rate, int linear)
 {
     const tp_quick_map *layer = ((const tp_quick_layers *)run->mine)->layer;
 
     if (layer[0].level)
-        shade_layer(&layer[0], run, colour, half_rate, 0);
+        shade_layer(&layer[0], run, colour, half_rate,
+                    linear ? linear_write_texels : LOOP(write_texels));
     else
         for (int32_t i = 0;
              i < (half_rate ? half_rate_place_count(run, run->count) : run->count); i++)
             colour[i] = shade->water_colour;
     for (int k = 1; k < TP_QUICK_LAYERS; k++)
         if (layer[k].level)
-            shade_layer(&layer[k], run, colour, half_rate, 1);
+            shade_layer(&layer[k], run, colour, half_rate,
+                        linear ? linear_add_texels : LOOP(add_texels));
 }
 
 void tp_stage_quick_layers(const tp_shade *shade, tp_run *run)
 {
-    shade_layers(shade, run, run->colour, 0);
+    shade_layers(shade, run, run->colour, 0, 0);
+}
+
+void tp_stage_quick_layers_linear(const tp_shade *shade, tp_run *run)
+{
+    shade_layers(shade, run, run->colour, 0, 1);
 }
 
 /* Fills the columns in between with the mean of their neighbours.  At the end of a block
@@ -167,13 +174,19 @@ static void fill_odd_columns(const uint32_t *restrict half_rate, tp_run *run)
  * so the array holds the half rate colours. */
 void tp_stage_quick_layers_thin(const tp_shade *shade, tp_run *run)
 {
-    shade_layers(shade, run, run->slope, 1);
+    shade_layers(shade, run, run->slope, 1, 0);
+    fill_odd_columns(run->slope, run);
+}
+
+void tp_stage_quick_layers_linear_thin(const tp_shade *shade, tp_run *run)
+{
+    shade_layers(shade, run, run->slope, 1, 1);
     fill_odd_columns(run->slope, run);
 }
 
 void tp_stage_quick_layers_even(const tp_shade *shade, tp_run *run)
 {
-    shade_layers(shade, run, run->even, 1);
+    shade_layers(shade, run, run->even, 1, 0);
 }
 
 void tp_quick_odd_fill(tp_run *run)

@@ -145,12 +145,12 @@ TP_ALWAYS_INLINE tp_lookup tp_lookup_make(const tp_quick_map *map, int32_t mip_o
 #define TP_LOOP static void
 #endif
 
-/* Samples of a run from a column on: rest positions s and t, and slopes n.  odd: 1 if the
- * first column is odd. */
+/* Samples of a run from a column on: rest positions s and t, and slopes n.  column: the
+ * first column of the picture; odd: 1 if it is odd. */
 typedef struct {
     const uint32_t *s, *t, *n;
     int32_t  count;
-    uint32_t odd;
+    uint32_t column, odd;
 } tp_columns;
 
 /* -- light, in slope space ----------------------------------------------------------- */

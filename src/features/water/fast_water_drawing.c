@@ -266,10 +266,27 @@ static void append_stage(chain *c, tp_stage stage)
     c->stage[c->count++] = stage;
 }
 
-static tp_stage places_stage(const tp_stage *stage, bool bends, bool half_rate)
+/* True if the scene asks fast shading for bilinear textures, by a rung. */
+static bool is_linear(const tp_frame *frame, int32_t rung)
 {
-    return stage[bends ? half_rate ? TP_NTH_quick_bend_thin : TP_NTH_quick_bend
+    return rung == TP_RUNG_EXACT && frame->scene->water.filter == TP_FILTER_LINEAR;
+}
+
+static tp_stage places_stage(const tp_stage *stage, bool bends, bool half_rate, bool linear)
+{
+    const int bend = linear ? TP_NTH_quick_bend_linear : TP_NTH_quick_bend;
+    const int bend_thin = linear ? TP_NTH_quick_bend_linear_thin : TP_NTH_quick_bend_thin;
+
+    return stage[bends ? half_rate ? bend_thin : bend
                        : half_rate ? TP_NTH_quick_still_thin : TP_NTH_quick_still];
+}
+
+static tp_stage layers_stage(const tp_stage *stage, bool half_rate, bool linear)
+{
+    const int layers = linear ? TP_NTH_quick_layers_linear : TP_NTH_quick_layers;
+    const int thin = linear ? TP_NTH_quick_layers_linear_thin : TP_NTH_quick_layers_thin;
+
+    return stage[half_rate ? thin : layers];
 }
 
 /* Links the stages of colours and slopes.  `even_columns_only`: only even columns get
@@ -278,6 +295,7 @@ static void append_layer_stages(chain *c, const tp_frame *frame,
                                 const tp_quick_layers *quick, const tp_stage *stage,
                                 bool even_columns_only)
 {
+    const tp_scene_quality *quality = &frame->scene->quality;
     const bool layers = quick->layer[0].level || quick->layer[1].level
                      || quick->layer[2].level;
     const bool thin = even_columns_only || frame->rungs.rate == TP_RATE_LAYERS;
@@ -287,12 +305,21 @@ static void append_layer_stages(chain *c, const tp_frame *frame,
     if (layers || ripples)
         append_stage(c, stage[TP_NTH_quick_mip_spans]);
     if (layers)
-        append_stage(c, places_stage(stage, bends, thin));
+        append_stage(c, places_stage(stage, bends, thin,
+                                     is_linear(frame, quality->distortion)));
     append_stage(c, even_columns_only ? stage[TP_NTH_quick_layers_even]
                     : !layers
                         ? frame->program->stage.plain
-                        : stage[thin ? TP_NTH_quick_layers_thin : TP_NTH_quick_layers]);
+                        : layers_stage(stage, thin, is_linear(frame, quality->layers)));
     append_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
+}
+
+/* True if light changes the colours: water that neither glitters nor mirrors, in light of
+ * full ambient share, keeps the colours of its layers. */
+static bool is_lit(const tp_frame *frame)
+{
+    return tp_frame_has_module(frame, TP_MODULE_LIGHT)
+        || frame->scene->light.ambient < TP_FX_ONE;
 }
 
 static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *layers,
@@ -307,7 +334,8 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
     chain c = { .count = 0 };
 
     append_layer_stages(&c, frame, layers, stage, false);
-    append_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
+    if (is_lit(frame))
+        append_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
     return c;
 }
 

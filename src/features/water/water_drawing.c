@@ -30,10 +30,17 @@ static void begin_base(tp_frame *frame, void *mine)
     base->grade = tp_grade_make(layer->saturation, layer->clamp, shade->water_colour);
 }
 
+/* True if the textures of exact lists are bilinear. */
+static bool is_linear(const tp_frame *frame)
+{
+    return frame->scene->water.filter == TP_FILTER_LINEAR
+        && frame->scene->quality.layers <= TP_RUNG_EXACT;
+}
+
 static tp_stage select_base_layer_stage(const tp_frame *frame, const tp_stage *stage)
 {
     const tp_scene_layer *layer = &frame->scene->layer[0];
-    const bool linear = frame->scene->water.filter == TP_FILTER_LINEAR;
+    const bool linear = is_linear(frame);
 
     if (tp_is_graded(layer->saturation, layer->clamp))
         return stage[TP_NTH_texture_graded + linear];
@@ -96,7 +103,7 @@ static void add_layers(const tp_frame *frame, const void *mine, const tp_stage *
     const tp_layers *layers = mine;
     const bool added = layers->added[0].texture || layers->added[1].texture;
     const bool base = tp_shaders_has(list, TP_AT_COLOUR);
-    const bool linear = frame->scene->water.filter == TP_FILTER_LINEAR;
+    const bool linear = is_linear(frame);
 
     if (list->kind != TP_LIST_WATER)
         return;
