@@ -244,7 +244,8 @@ typedef struct {
     X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
     X(quick_odd_fill)       /* interpolates odd columns; */ \
     X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */ \
-    /* bilinear textures: places, colour; half rate */ \
+    /* bilinear textures: slope; places, colour, half rate too */ \
+    X(quick_ripple_linear) \
     X(quick_bend_linear) X(quick_bend_linear_thin) \
     X(quick_layers_linear) X(quick_layers_linear_thin) \
     /* mirrored objects in place of the reflected sky */ \

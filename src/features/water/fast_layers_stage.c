@@ -81,10 +81,11 @@ void tp_stage_quick_still_thin(const tp_shade *shade, tp_run *run)
     }
 }
 
-typedef void (*distort_loop)(const tp_quick_map *map, int32_t mip_offset,
-                             const tp_columns *columns, uint32_t *restrict place);
+/* A loop over columns that reads a map: it writes places, or slopes. */
+typedef void (*map_loop)(const tp_quick_map *map, int32_t mip_offset,
+                         const tp_columns *columns, uint32_t *restrict to);
 
-TP_ALWAYS_INLINE void distort(tp_run *run, int half_rate, distort_loop loop)
+TP_ALWAYS_INLINE void distort(tp_run *run, int half_rate, map_loop loop)
 {
     const tp_quick_layers *quick = run->mine;
 
@@ -202,16 +203,26 @@ void tp_stage_quick_odd_fill(const tp_shade *shade, tp_run *run)
 
 /* -- slopes -------------------------------------------------------------------------- */
 
-void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
+TP_ALWAYS_INLINE void add_ripples(tp_run *run, map_loop loop)
 {
     const tp_quick_layers *quick = run->mine;
 
-    (void)shade;
     for (uint32_t k = 0, at = 0; k < run->spans; at = run->span[k++].end) {
         const tp_columns c = make_columns(run, (int32_t)at, run->span[k].end);
-        LOOP(add_ripple_slopes)
-        (&quick->ripple, run->span[k].mip_offset, &c, run->slope + at);
+        loop(&quick->ripple, run->span[k].mip_offset, &c, run->slope + at);
     }
+}
+
+void tp_stage_quick_ripple(const tp_shade *shade, tp_run *run)
+{
+    (void)shade;
+    add_ripples(run, LOOP(add_ripple_slopes));
+}
+
+void tp_stage_quick_ripple_linear(const tp_shade *shade, tp_run *run)
+{
+    (void)shade;
+    add_ripples(run, linear_add_ripple_slopes);
 }
 
 void tp_stage_quick_slopes(const tp_shade *shade, tp_run *run)

@@ -153,7 +153,7 @@ static void quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
     for (int k = 0; k < TP_LAYERS; k++)
         layers->layer[k] = make_baked_map(frame, fast, k, &scene->layer[k].map, 0);
     layers->bend = make_baked_map(frame, fast, OFFSETS, &scene->distortion.map, 0);
-    layers->ripple = make_baked_map(frame, fast, SLOPES, &scene->ripple.map, TP_RIPPLE_LOD);
+    layers->ripple = make_baked_map(frame, fast, SLOPES, &scene->ripple.map, scene->quality.ripple == TP_RUNG_EXACT ? 0 : TP_RIPPLE_LOD);
 }
 
 #define MOST 6                  /* maximum of stages in a list */
@@ -289,6 +289,14 @@ static tp_stage layers_stage(const tp_stage *stage, bool half_rate, bool linear)
     return stage[half_rate ? thin : layers];
 }
 
+static tp_stage ripples_stage(const tp_frame *frame, const tp_stage *stage, bool ripples)
+{
+    const bool linear = frame->scene->quality.ripple == TP_RUNG_EXACT;
+
+    return stage[!ripples ? TP_NTH_quick_slopes
+                 : linear ? TP_NTH_quick_ripple_linear : TP_NTH_quick_ripple];
+}
+
 /* Links the stages of colours and slopes.  `even_columns_only`: only even columns get
  * a colour. */
 static void append_layer_stages(chain *c, const tp_frame *frame,
@@ -311,7 +319,7 @@ static void append_layer_stages(chain *c, const tp_frame *frame,
                     : !layers
                         ? frame->program->stage.plain
                         : layers_stage(stage, thin, is_linear(frame, quality->layers)));
-    append_stage(c, stage[ripples ? TP_NTH_quick_ripple : TP_NTH_quick_slopes]);
+    append_stage(c, ripples_stage(frame, stage, ripples));
 }
 
 /* True if light changes the colours: water that neither glitters nor mirrors, in light of
