@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "tests/lib/layers.h"
 #include "tests/lib/measure.h"
+#include "features/water/fast_layers_linear.h"
 #include "features/water/fast_layers_m4.h"
 #include "features/water/fast_layers_plain.h"
 
@@ -78,7 +79,7 @@ static tp_columns any_columns(const lanes *l, int32_t *at)
     *at = chance_int(&chance, 0, 7);
     return (tp_columns){ l->s + *at, l->t + *at, l->n + *at,
                          chance_int(&chance, 1, TP_RUN - *at),
-                         (uint32_t)chance_int(&chance, 0, 1) };
+                         0, (uint32_t)chance_int(&chance, 0, 1) };
 }
 
 static const uint32_t *const levels[] = { texel };
@@ -295,18 +296,25 @@ static void busy_free(busy *b)
     layer_free(&b->t);
 }
 
-static void draw(const busy *b, tp_run *run, bool thin, bool bends)
+/* Stages [linear][thin]: of distorted places, of layers; of ripples [linear]. */
+static const tp_stage bends[2][2] = {
+    { tp_stage_quick_bend, tp_stage_quick_bend_thin },
+    { tp_stage_quick_bend_linear, tp_stage_quick_bend_linear_thin },
+};
+static const tp_stage layers[2][2] = {
+    { tp_stage_quick_layers, tp_stage_quick_layers_thin },
+    { tp_stage_quick_layers_linear, tp_stage_quick_layers_linear_thin },
+};
+static const tp_stage ripples[2] = { tp_stage_quick_ripple, tp_stage_quick_ripple_linear };
+
+static void draw(const busy *b, tp_run *run, bool thin, bool bent, bool linear)
 {
     run_by(tp_stage_quick_mip_spans, &b->shade, &b->layers, run);
-    if (bends)
-        run_by(thin ? tp_stage_quick_bend_thin : tp_stage_quick_bend, &b->shade,
-               &b->layers, run);
-    else
-        run_by(thin ? tp_stage_quick_still_thin : tp_stage_quick_still, &b->shade,
-               &b->layers, run);
-    run_by(thin ? tp_stage_quick_layers_thin : tp_stage_quick_layers, &b->shade,
-           &b->layers, run);
-    run_by(tp_stage_quick_ripple, &b->shade, &b->layers, run);
+    run_by(bent ? bends[linear][thin]
+                : thin ? tp_stage_quick_still_thin : tp_stage_quick_still,
+           &b->shade, &b->layers, run);
+    run_by(layers[linear][thin], &b->shade, &b->layers, run);
+    run_by(ripples[linear], &b->shade, &b->layers, run);
 }
 
 static void runs_may_be_cut_at_sixteenths(void **state)
@@ -320,11 +328,11 @@ static void runs_may_be_cut_at_sixteenths(void **state)
         const int32_t first = chance_int(&chance, 0, TP_RUN - 1);
         const int32_t end = chance_int(&chance, first + 1, TP_RUN);
         tp_run whole = run_part(&r.run, first, end);
-        draw(&b, &whole, n & 1, n & 2);
+        draw(&b, &whole, n & 1, n & 2, n & 4);
         for (int32_t at = first; at < end; ) {
             const int32_t stop = (at | 15) + 1 < end ? (at | 15) + 1 : end;
             tp_run part = run_part(&r.run, at, stop);
-            draw(&b, &part, n & 1, n & 2);
+            draw(&b, &part, n & 1, n & 2, n & 4);
             const size_t bytes = (size_t)(stop - at) * sizeof *part.colour;
             assert_memory_equal(part.colour, whole.colour + at - first, bytes);
             assert_memory_equal(part.slope, whole.slope + at - first, bytes);
@@ -346,8 +354,8 @@ static void thin_runs_keep_their_even_columns(void **state)
         const int32_t first = chance_int(&chance, 0, TP_RUN - 1);
         tp_run full = run_part(&r.run, first, chance_int(&chance, first + 1, TP_RUN));
         tp_run thin = full;
-        draw(&b, &full, false, n & 1);
-        draw(&b, &thin, true, n & 1);
+        draw(&b, &full, false, n & 1, n & 2);
+        draw(&b, &thin, true, n & 1, n & 2);
         for (int32_t i = 0; i < full.count; i++) {
             const int32_t left = i > 0 && (full.x + i) % 2 ? i - 1 : i;
             const bool last = (full.x + i) % 16 == 15 || i + 1 == full.count;
@@ -358,6 +366,105 @@ static void thin_runs_keep_their_even_columns(void **state)
         assert_memory_equal(thin.slope, full.slope,
                             (size_t)full.count * sizeof *full.slope);
         busy_free(&b);
+    }
+}
+
+/* -- bilinear look-ups ------------------------------------------------------------------ */
+
+/* A place in texels of a map, and the share of the next texel. */
+static double place_of(const tp_quick_map *map, uint32_t x, uint32_t drift, int64_t *texel_at)
+{
+    const double side = 1 << map->log2;
+    const double at = (double)(uint32_t)(x * map->per_metre + drift) / 4294967296.0 * side - 0.5;
+
+    *texel_at = (int64_t)floor(at);
+    return at - floor(at);
+}
+
+/* The mean of a channel of 8 or 16 bits around a place. */
+static double mean_of(const tp_quick_map *map, uint32_t s, uint32_t t, int shift, int bits)
+{
+    const int64_t mask = (1 << map->log2) - 1;
+    int64_t i, j;
+    const double fu = place_of(map, s, map->drift_s, &i), fv = place_of(map, t, map->drift_t, &j);
+    double sum = 0;
+
+    for (int k = 0; k < 4; k++) {
+        const uint32_t word = texel[(size_t)((j + k / 2) & mask) * (size_t)(mask + 1)
+                                    + (size_t)((i + k % 2) & mask)];
+        const double value = bits == 8 ? (word >> shift & 255)
+                                       : (double)(int16_t)(word >> shift & 0xffff);
+        sum += value * (k % 2 ? fu : 1 - fu) * (k / 2 ? fv : 1 - fv);
+    }
+    return sum;
+}
+
+/* Weights are multiples of 1/32, cut off: the mean is off by at most 1/32 of the texels'
+ * range along each axis, and by the rounding of two mixes. */
+static void bilinear_texels_are_the_mean_of_four(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 3000; n++) {
+        tp_quick_map map;
+        any_texels(&map, levels, 0xffffff);
+        const tp_lookup l = linear_lookup_make(&map, 0);
+        const uint32_t s = any_word(), t = any_word(), seen = linear_texel(&l, s, t);
+        for (int shift = 0; shift < 24; shift += 8)
+            assert_true(fabs((seen >> shift & 255) - mean_of(&map, s, t, shift, 8)) <= 18);
+        any_texels(&map, levels, 0xffffffff);
+        const tp_lookup wide = linear_lookup_make(&map, 0);
+        const linear_pair p = linear_find_pair(&wide, s, t);
+        assert_true(fabs(p.high / 1024.0 - mean_of(&map, s, t, 16, 16)) <= 4098);
+        assert_true(fabs(p.low / 1024.0 - mean_of(&map, s, t, 0, 16)) <= 4098);
+    }
+}
+
+/* At the middle of a texel the bilinear look-ups are the nearest ones. */
+static void bilinear_texels_are_texels_in_their_middle(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 3000; n++) {
+        tp_quick_map map;
+        any_texels(&map, levels, 0xffffffff);
+        map.per_metre = 1;
+        map.drift_s = map.drift_t = 0;
+        const tp_lookup near = tp_lookup_make(&map, 0), l = linear_lookup_make(&map, 0);
+        const uint32_t half = 1u << (near.down - 1);
+        const uint32_t s = (any_word() >> near.down << near.down) + half;
+        const uint32_t t = (any_word() >> near.down << near.down) + half;
+        const uint32_t word = plain_texel(&near, s, t);
+        const linear_pair p = linear_find_pair(&l, s, t);
+        assert_int_equal(linear_texel(&l, s, t) & 0xffffff, word & 0xffffff);
+        assert_int_equal(p.high, (int16_t)(word >> 16) * 1024);
+        assert_int_equal(p.low, (int16_t)word * 1024);
+    }
+}
+
+/* The loops write the look-ups; a distortion is exact at a block's first column. */
+static void loops_write_the_bilinear_texels(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 1000; n++) {
+        tp_quick_map map;
+        lanes a;
+        int32_t at;
+        any_texels(&map, levels, 0xffffff);
+        any_lanes(&a, 0xffffff);
+        const tp_lookup l = linear_lookup_make(&map, 0);
+        const tp_columns c = any_columns(&a, &at);
+        linear_write_texels(&map, 0, a.place[0] + at, a.to[0] + at, c.count);
+        linear_add_texels(&map, 0, a.place[0] + at, a.to[1] + at, c.count);
+        const uint32_t seen = linear_texel(&l, a.place[0][at], a.place[0][at + TP_RUN]);
+        assert_int_equal(a.to[0][at], seen);
+        assert_true((a.to[1][at] & 0xff) >= (seen & 0xff));
+        linear_add_ripple_slopes(&map, 0, &c, a.to[0] + at);
+        linear_distort_places(&map, 0, &c, a.place[0] + at);
+        linear_distort_even_places(&map, 0, &c, a.place[1] + at);
+        const linear_pair p = linear_find_pair(&l, c.s[0], c.t[0]);
+        assert_int_equal(a.to[0][at],
+                         tp_qadd16(tp_pair16(p.high >> 10, p.low >> 10), c.n[0]));
+        assert_int_equal(a.place[0][at], c.s[0] + (uint32_t)(p.high >> 4));
+        assert_int_equal(a.place[1][at + TP_RUN], c.t[0] + (uint32_t)(p.low >> 4));
     }
 }
 
@@ -374,6 +481,9 @@ int main(void)
         cmocka_unit_test(slopes_are_those_of_the_normal_map),
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
         cmocka_unit_test(thin_runs_keep_their_even_columns),
+        cmocka_unit_test(bilinear_texels_are_the_mean_of_four),
+        cmocka_unit_test(loops_write_the_bilinear_texels),
+        cmocka_unit_test(bilinear_texels_are_texels_in_their_middle),
     };
     return cmocka_run_group_tests_name("features/water quick layers", tests, NULL, NULL);
 }

@@ -41,8 +41,7 @@ typedef struct {
 tp_mirror_push tp_mirror_push_make(const tp_shade *shade, int32_t x, int32_t y);
 
 /* Returns z / zm, Q16, clamped below 2. */
-TP_ALWAYS_INLINE int32_t tp_mirror_depth_ratio(uint32_t object_zi,
-                                                       uint32_t water_key)
+TP_ALWAYS_INLINE int32_t tp_mirror_depth_ratio(uint32_t object_zi, uint32_t water_key)
 {
     uint32_t zi = tp_key_zi(water_key);
     int      shift = tp_clz(zi);

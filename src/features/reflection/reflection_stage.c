@@ -94,11 +94,13 @@ tp_mirror_push tp_mirror_push_make(const tp_shade *shade, int32_t x, int32_t y)
     };
 }
 
-static tp_mirror_push push_change_per_block(const tp_mirror_push *from, const tp_mirror_push *to)
+static tp_mirror_push push_change_per_block(const tp_mirror_push *from,
+                                            const tp_mirror_push *to)
 {
-    return (tp_mirror_push){ to->xu - from->xu, to->xv - from->xv, to->zu - from->zu,
-                   to->zv - from->zv, to->hu - from->hu, to->hv - from->hv,
-                   to->dy - from->dy };
+    return (tp_mirror_push){
+        to->xu - from->xu, to->xv - from->xv, to->zu - from->zu, to->zv - from->zv,
+        to->hu - from->hu, to->hv - from->hv, to->dy - from->dy,
+    };
 }
 
 /* Returns a factor at column k of a block of 16 columns.  `from` is the factor at column 0,
@@ -123,7 +125,8 @@ TP_ALWAYS_INLINE int32_t pixel_displacement(int32_t by_x, int32_t sx, int32_t by
 
 /* Returns the colour of the reflected object at column x; 0: no object. */
 TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t y,
-                                                  const tp_mirror_push *a, const tp_mirror_push *step,
+                                                  const tp_mirror_push *a,
+                                                  const tp_mirror_push *step,
                                                   int32_t x, uint32_t key, int32_t sx,
                                                   int32_t sz)
 {

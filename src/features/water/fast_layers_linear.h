@@ -51,7 +51,8 @@ TP_ALWAYS_INLINE uint32_t linear_texel(const tp_lookup *l, uint32_t s, uint32_t 
 
     if (((q.a ^ q.b) | (q.a ^ q.c) | (q.a ^ q.d)) == 0)
         return q.a;
-    return linear_mix(linear_mix(q.a, q.b, q.right), linear_mix(q.c, q.d, q.right), q.below);
+    return linear_mix(linear_mix(q.a, q.b, q.right), linear_mix(q.c, q.d, q.right),
+                      q.below);
 }
 
 TP_LOOP linear_write_texels(const tp_quick_map *map, int32_t mip_offset,
@@ -92,7 +93,8 @@ typedef struct {
 } linear_pair;
 
 /* Returns the mean of the halves at a place. */
-TP_ALWAYS_INLINE linear_pair linear_find_pair(const tp_lookup *l, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE linear_pair linear_find_pair(const tp_lookup *l, uint32_t s,
+                                              uint32_t t)
 {
     const texel_square q = linear_fetch(l, s, t);
     const uint32_t across = q.right << 16 | (32 - q.right);
@@ -121,9 +123,9 @@ TP_LOOP linear_add_ripple_slopes(const tp_quick_map *map, int32_t mip_offset,
 
 /* Distorts the places of columns [i, next) by offsets from a to b. `by`: 1, or 2 for
  * every second column of the picture. */
-TP_ALWAYS_INLINE uint32_t *linear_distort_group(const tp_columns *c, int32_t i, int32_t next,
-                                                linear_pair a, linear_pair b,
-                                                uint32_t *place, int by)
+TP_ALWAYS_INLINE uint32_t *linear_distort_group(const tp_columns *c, int32_t i,
+                                                int32_t next, linear_pair a,
+                                                linear_pair b, uint32_t *place, int by)
 {
     const int32_t wide = next > i ? next - i : 1;
     const int32_t ds = (b.high - a.high) / wide, dt = (b.low - a.low) / wide;
@@ -137,8 +139,8 @@ TP_ALWAYS_INLINE uint32_t *linear_distort_group(const tp_columns *c, int32_t i, 
     return place;
 }
 
-/* Distorts the places.  The offset is exact at the first and the eighth column of a block of 16 and at
- * the block's last, and linear between: distortions are wide. */
+/* Distorts the places.  The offset is exact at the first, the eighth and the last column of
+ * a block of 16, and linear between: distortions are wide. */
 TP_ALWAYS_INLINE void linear_distort(const tp_quick_map *map, int32_t mip_offset,
                                      const tp_columns *columns, uint32_t *place, int by)
 {

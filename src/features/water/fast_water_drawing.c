@@ -153,7 +153,9 @@ static void quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
     for (int k = 0; k < TP_LAYERS; k++)
         layers->layer[k] = make_baked_map(frame, fast, k, &scene->layer[k].map, 0);
     layers->bend = make_baked_map(frame, fast, OFFSETS, &scene->distortion.map, 0);
-    layers->ripple = make_baked_map(frame, fast, SLOPES, &scene->ripple.map, scene->quality.ripple == TP_RUNG_EXACT ? 0 : TP_RIPPLE_LOD);
+    layers->ripple =        /* a bilinear look-up blurs as the exact stages do */
+        make_baked_map(frame, fast, SLOPES, &scene->ripple.map,
+                       scene->quality.ripple == TP_RUNG_EXACT ? 0 : TP_RIPPLE_LOD);
 }
 
 #define MOST 6                  /* maximum of stages in a list */
