@@ -30,9 +30,13 @@ $1/%.c: tests/golden/scenes/%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2)
 $1/%+cheap.c: assets/scenes/%.ini tests/budgets/cheapest.txt $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2 $$$$(sed -n 's/^$$* //p' tests/budgets/cheapest.txt))
+$1/%+cheap.c: tests/budgets/%.ini tests/budgets/cheapest.txt $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2 $$$$(sed -n 's/^$$* //p' tests/budgets/cheapest.txt))
 $1/%.c: $3 $$(BAKED_FROM)
 	$(call bake,assets/scenes/$$(basename $$(@F)).ini,$2)
 $1/board-%.c: tests/budgets/board-%.ini $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2)
+$1/plain-%.c: tests/budgets/plain-%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2)
 endef
 define baked_at

@@ -244,6 +244,7 @@ typedef struct {
     X(quick_gradient_even) X(quick_dome_even) X(quick_cube_even) \
     X(quick_odd_fill)       /* interpolates odd columns; */ \
     X(quick_glint_phong) X(quick_glint_blinn)   /* interpolates, adds glints */ \
+    X(quick_diffuse)        /* light of water that neither glitters nor mirrors */ \
     /* bilinear textures: slope; places, colour, half rate too */ \
     X(quick_ripple_linear) \
     X(quick_bend_linear) X(quick_bend_linear_thin) \

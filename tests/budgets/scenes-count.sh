@@ -34,13 +34,21 @@ options_of()    # SCENE: the options of its rungs
     case $1 in *+cheap) sed -n "s/^${1%+cheap} //p" tests/budgets/cheapest.txt ;; esac
 }
 
+file_of()       # SCENE
+{
+    case $1 in
+    plain-*) echo "tests/budgets/${1%+cheap}.ini" ;;
+    *)       echo "assets/scenes/${1%+cheap}.ini" ;;
+    esac
+}
+
 one()           # SCENE: its figures, or the reason why there are none
 {
     elf=build/cortex-m/scenes/$1.elf
     to=$scratch/$1
     emulate "$elf" "$to.said" "$to.counts" || { cat "$to.said"; return 1; }
     # shellcheck disable=SC2046
-    "$program" render "assets/scenes/${1%+cheap}.ini" --size 320x240 --frames 60:61 \
+    "$program" render "$(file_of "$1")" --size 320x240 --frames 60:61 \
         --format rgb565 --hash $(options_of "$1") >"$to.host" || return 1
     grep '^frame' "$to.said" | diff "$to.host" - || return 1
     pieces_of "$elf" >"$to.pieces"

@@ -121,6 +121,25 @@ void tp_quick_view_run(const tp_shade *shade, tp_run *run, int env, int lobe)
     { LIGHT(shade, run, env, lobe); }
 TP_QUICK_LIGHT_STAGES(STAGE)
 
+/* -- diffuse light alone --------------------------------------------------------------- */
+
+/* Shades water that neither glitters nor mirrors.  A channel rounds up: as for the other
+ * lights, 255/256 are added before the cut. */
+void tp_stage_quick_diffuse(const tp_shade *shade, tp_run *run)
+{
+    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const uint32_t *slope = run->slope;
+    uint32_t *colour = run->colour;
+
+    for (int32_t i = 0; i < run->count; i++) {
+        const int32_t l = tp_smlad(slope[i], sun.back, sun.y);
+        const uint32_t lit = (uint32_t)(sun.ambient + sun.direct * tp_usat(l, 18, 8)) >> 8;
+        const uint32_t rb = tp_even_bytes(colour[i]) * lit + 0x00ff00ff;
+        const uint32_t g = (colour[i] & 0xff00) * lit + 0xff00;
+        colour[i] = tp_even_bytes(rb >> 8) | (g >> 8 & 0xff00);
+    }
+}
+
 const tp_stage tp_fast_water_stages[] = {
 #define X(name) tp_stage_##name,
     TP_STAGES_OF_fast_water(X)

@@ -324,14 +324,6 @@ static void append_layer_stages(chain *c, const tp_frame *frame,
     append_stage(c, ripples_stage(frame, stage, ripples));
 }
 
-/* True if light changes the colours: water that neither glitters nor mirrors, in light of
- * full ambient share, keeps the colours of its layers. */
-static bool is_lit(const tp_frame *frame)
-{
-    return tp_frame_has_module(frame, TP_MODULE_LIGHT)
-        || frame->scene->light.ambient < TP_FX_ONE;
-}
-
 static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *layers,
                                   const tp_stage *stage)
 {
@@ -344,8 +336,10 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
     chain c = { .count = 0 };
 
     append_layer_stages(&c, frame, layers, stage, false);
-    if (is_lit(frame))
+    if (tp_frame_has_module(frame, TP_MODULE_LIGHT))
         append_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
+    else if (frame->scene->light.ambient < TP_FX_ONE)   /* else light changes no colour */
+        append_stage(&c, stage[TP_NTH_quick_diffuse]);
     return c;
 }
 
