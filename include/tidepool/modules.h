@@ -249,6 +249,10 @@ typedef struct {
     X(quick_ripple_linear) \
     X(quick_bend_linear) X(quick_bend_linear_thin) \
     X(quick_layers_linear) X(quick_layers_linear_thin) \
+    /* all light of even columns, glints too; interpolates */ \
+    X(quick_gradient_half) X(quick_gradient_phong_half) X(quick_gradient_blinn_half) \
+    X(quick_dome_phong_half) X(quick_dome_blinn_half) \
+    X(quick_cube_half) X(quick_cube_phong_half) X(quick_cube_blinn_half) \
     /* mirrored objects in place of the reflected sky */ \
     X(quick_over_gradient) X(quick_over_dome) X(quick_over_cube)
 #define TP_STAGES_OF_underwater(X) \

@@ -109,7 +109,8 @@ static tp_shade any_mirror(double zm, double height)
     return s;
 }
 
-/* `level`: one depth for the run, and gentle slopes: what a block of pixels shares. */
+/* `level`: one depth for the run, and gentle slopes, equal in two columns: what a block of
+ * pixels shares. */
 static void compare_run(const tp_shade *s, tp_stage mirrored, bool level, double zm,
                         double height, level_error *off)
 {
@@ -121,8 +122,9 @@ static void compare_run(const tp_shade *s, tp_stage mirrored, bool level, double
     for (int i = 0; i < TP_RUN; i++) {
         const double depth = zm * (level ? far : chance_double(&chance, 0.3, 1.05));
         r.key[i] = (uint32_t)(2147483648.0 / depth) << 1 | 0xff;
-        r.run.sx[i] = (int16_t)((int16_t)(r.n[i] >> 16) / (level ? 4 : 1));
-        r.run.sz[i] = (int16_t)((int16_t)r.n[i] / (level ? 4 : 1));
+        const uint32_t n = r.n[level ? i & ~1 : i];
+        r.run.sx[i] = (int16_t)((int16_t)(n >> 16) / (level ? 4 : 1));
+        r.run.sz[i] = (int16_t)((int16_t)n / (level ? 4 : 1));
         r.run.mirror[i] = 0;
     }
     r.run.mine = &mirror;
@@ -178,7 +180,7 @@ static void blocks_bend_as_their_middle(void **state)
     printf("    more than 3 off: %d, rms of the others %.3f\n", off.large,
            sqrt(off.small_squares / off.count));
     assert_true(off.large <= off.count / 400);          /* 0.11 % measured */
-    assert_true(sqrt(off.small_squares / off.count) <= 0.5);
+    assert_true(sqrt(off.small_squares / off.count) <= 0.6);
 }
 
 /* Fast lists get the same objects as exact ones, in the blocks that they name. */

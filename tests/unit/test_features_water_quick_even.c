@@ -14,7 +14,7 @@ static uint64_t chance;
 static quick_lights lights;
 
 typedef struct {
-    stage *plain, *packed, *whole;
+    stage *plain, *packed, *whole, *half;
     int    env, lobe;
 } even_bodies;
 
@@ -41,7 +41,8 @@ TP_QUICK_LIGHT_STAGES(X)
 
 static const even_bodies all[] = {
 #define X(name, env, lobe) \
-    { plain_##name, packed_##name, tp_stage_quick_##name, env, lobe },
+    { plain_##name, packed_##name, tp_stage_quick_##name, tp_stage_quick_##name##_half, \
+      env, lobe },
     TP_QUICK_LIGHT_STAGES(X)
 #undef X
 };
@@ -121,12 +122,32 @@ static void even_columns_are_those_of_the_whole_rate(void **state)
     }
 }
 
+/* quality.light=fast: glints too are those of the whole rate, and tiles do not show. */
+static void half_light_is_the_whole_light_of_even_columns(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2000; n++) {
+        unlit u;
+        unlit_make(&u, n, n / ALL % 2 ? 32000 : 4000);
+        const int32_t from = chance_int(&chance, 0, 15),
+                      cut = 16 * chance_int(&chance, 1, 3);
+        tp_run half = part_of(&u, from, TP_RUN), whole = half;
+        quick_assert_cut(u.by->half, &u.shade, half, part_of(&u, from, cut),
+                         part_of(&u, cut, TP_RUN));
+        u.by->half(&u.shade, &half);
+        u.by->whole(&u.shade, &whole);
+        for (int i = half.x & 1; i < half.count; i += 2)
+            assert_int_equal(half.colour[i], whole.colour[i]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(both_bodies_have_the_same_bits),
         cmocka_unit_test(where_tiles_begin_does_not_show),
         cmocka_unit_test(even_columns_are_those_of_the_whole_rate),
+        cmocka_unit_test(half_light_is_the_whole_light_of_even_columns),
     };
     chance = random_seed();
     return cmocka_run_group_tests_name("features/water quick even", tests, NULL, NULL);

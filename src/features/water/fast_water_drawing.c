@@ -333,10 +333,21 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
         { 0 /* never */, TP_NTH_quick_dome_phong, TP_NTH_quick_dome_blinn },
         { TP_NTH_quick_cube, TP_NTH_quick_cube_phong, TP_NTH_quick_cube_blinn },
     };
+    static const uint8_t half[3][3] = {
+        { TP_NTH_quick_gradient_half, TP_NTH_quick_gradient_phong_half,
+          TP_NTH_quick_gradient_blinn_half },
+        { 0 /* never */, TP_NTH_quick_dome_phong_half, TP_NTH_quick_dome_blinn_half },
+        { TP_NTH_quick_cube_half, TP_NTH_quick_cube_phong_half,
+          TP_NTH_quick_cube_blinn_half },
+    };
+    const bool lit = tp_frame_has_module(frame, TP_MODULE_LIGHT);
+    const bool halved = lit && frame->scene->quality.light == TP_RUNG_FAST;
     chain c = { .count = 0 };
 
-    append_layer_stages(&c, frame, layers, stage, false);
-    if (tp_frame_has_module(frame, TP_MODULE_LIGHT))
+    append_layer_stages(&c, frame, layers, stage, halved);
+    if (halved)
+        append_stage(&c, stage[half[frame->shade.env.kind][select_lobe(frame)]]);
+    else if (lit)
         append_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
     else if (frame->scene->light.ambient < TP_FX_ONE)   /* else light changes no colour */
         append_stage(&c, stage[TP_NTH_quick_diffuse]);
