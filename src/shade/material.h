@@ -63,17 +63,35 @@ static inline tp_vec_q14 tp_vec_q14_unpack(tp_packed_dir n)
  * 2 L.V): no vector and no root, only a reciprocal [F5].
  */
 
+/* The part of the argument that L and V decide: 1 / (2 + 2 L.V). */
+typedef struct {
+    uint32_t recip, down;       /* a reciprocal, and the shift that scales it */
+} tp_blinn_half;
+
 /* All arguments and the result are Q1.14.  The square of the sum is below 2^30, the
  * reciprocal at most 2^32.  Where L is nearly -V (light from straight behind) hardly any
  * half vector exists; a result beyond the lobe's peak is clamped to the peak. */
-TP_ALWAYS_INLINE int32_t tp_blinn_double_angle_cosine(int32_t nl, int32_t nv, int32_t lv)
+TP_ALWAYS_INLINE tp_blinn_half tp_blinn_half_make(int32_t lv)
 {
-    uint32_t sum = (uint32_t)tp_clamp(nl + nv, 0, 32767);
     uint32_t w = (uint32_t)tp_clamp(16384 + lv, 2, 32768);
     int      up = tp_clz(w);
-    uint64_t square = (uint64_t)(sum * sum) * tp_recip_norm(w << up) >> (63 - up);
+
+    return (tp_blinn_half){ tp_recip_norm(w << up), (uint32_t)(63 - up) };
+}
+
+TP_ALWAYS_INLINE int32_t tp_blinn_half_cosine(const tp_blinn_half *half, int32_t nl,
+                                              int32_t nv)
+{
+    uint32_t sum = (uint32_t)tp_clamp(nl + nv, 0, 32767);
+    uint64_t square = (uint64_t)(sum * sum) * half->recip >> half->down;
 
     return square < 32768 ? (int32_t)square - 16384 : 16384;
+}
+
+TP_ALWAYS_INLINE int32_t tp_blinn_double_angle_cosine(int32_t nl, int32_t nv, int32_t lv)
+{
+    tp_blinn_half half = tp_blinn_half_make(lv);
+    return tp_blinn_half_cosine(&half, nl, nv);
 }
 
 /* Returns the cosine for the lobe's table, Q1.14: R.V for Phong, 2 (N.H)^2 - 1 for

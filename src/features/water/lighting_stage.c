@@ -55,15 +55,40 @@ TP_ALWAYS_INLINE int32_t sample_shine(const tp_shade *shade, int32_t rv)
  * by the horizon's full light. */
 #define RIPPLED_VIEW 1638
 
-/* Shades ambient and diffuse light, and leaves the glint.  The lobe uses N.V without the
+/* Blinn's half vectors of a run, for loops over several samples at once: the reciprocal
+ * calls a function and has a loop of its own. */
+typedef struct {
+    tp_blinn_half half[TP_WIDE ? TP_RUN : 1];
+} blinn_halves;
+
+TP_ALWAYS_INLINE void fill_blinn_halves(blinn_halves *to, const int16_t *lv, int32_t count,
+                                        int blinn)
+{
+    for (int32_t i = 0; TP_WIDE && blinn && i < count; i++)
+        to->half[i] = tp_blinn_half_make(lv[i]);
+}
+
+TP_ALWAYS_INLINE int32_t lobe_cosine(const blinn_halves *halves, int32_t i, int32_t nl,
+                                     int32_t seen, int32_t lv, int blinn)
+{
+    if (TP_WIDE && blinn)
+        return tp_blinn_half_cosine(&halves->half[i], nl, seen);
+    return tp_lobe_table_cosine(nl, seen, lv, blinn);
+}
+
+/* Shades ambient and diffuse light, and leaves the glint.  The outputs are arrays of the
+ * run, restrict so that the loop is vectorised.  The lobe uses N.V without the
  * lower bound, clamped at 0: a crest facing away shows no more light than a grazing
  * crest. */
-TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run,
-                            int rippled, int blinn)
+TP_ALWAYS_INLINE void light(const tp_shade *shade, const tp_run *run, int16_t *restrict nvs,
+                            int16_t *restrict ups, uint16_t *restrict glints,
+                            uint32_t *restrict colours, int rippled, int blinn)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient, count = run->count;
+    blinn_halves halves;
 
+    fill_blinn_halves(&halves, run->lv, count, blinn);
     for (int32_t i = 0; i < count; i++) {
         int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
         int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
@@ -74,33 +99,37 @@ TP_ALWAYS_INLINE void light(const tp_shade *restrict shade, tp_run *restrict run
         int32_t seen = tp_clamp(nv * ny >> 14, 0, 16384);
         nv = rippled && seen < RIPPLED_VIEW ? RIPPLED_VIEW : seen;
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
-        int32_t rv = tp_lobe_table_cosine(nl, seen, run->lv[i], blinn);
+        int32_t rv = lobe_cosine(&halves, i, nl, seen, run->lv[i], blinn);
         int32_t up = (2 * nv * ny >> 14) - vy;
-        run->nv[i] = (int16_t)nv;
-        run->up[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
+        nvs[i] = (int16_t)nv;
+        ups[i] = (int16_t)(up > 16384 ? 16384 : up);    /* vy is at most 1 */
         int32_t shine = TP_WIDE || nl > 0 ? sample_shine(shade, rv) : 0;
-        run->glint[i] = (uint16_t)(nl > 0 ? shine : 0);
-        run->colour[i] = tp_colour_scale(run->colour[i],
-                                         (uint32_t)tp_lit_share(ambient, nl));
+        glints[i] = (uint16_t)(nl > 0 ? shine : 0);
+        colours[i] = tp_colour_scale(colours[i],
+                                     (uint32_t)tp_lit_share(ambient, nl));
     }
 }
 
 /* -- light of rough water ------------------------------------------------------------- */
 
-/* Shades columns [i, stop), at most 16, of one lobe: as light does, with N.V bent and
- * the lobe widened. */
-TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
-                                          tp_run *restrict run, tp_rough_lobe lobe,
-                                          int32_t i, int32_t stop, int rippled, int blinn)
+/* Shades `count` columns from column i on, at most 16, of one lobe: as light does, with N.V
+ * bent and the lobe widened. */
+TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *shade, const tp_run *run,
+                                          int16_t *restrict nvs, int16_t *restrict ups,
+                                          uint16_t *restrict glints,
+                                          uint32_t *restrict colours, tp_rough_lobe lobe,
+                                          int32_t i, int32_t count, int rippled, int blinn)
 {
     int32_t lx = shade->world.lx, ly = shade->world.ly, lz = shade->world.lz;
     int32_t ambient = shade->ambient;
     int32_t dark = tp_rough_lobe_dark_cosine(shade, &lobe);
     int32_t half = lobe.peak + 8191;    /* both roundings down of the table, nearest */
+    blinn_halves halves;
 
-    for (; i < stop; i++) {
-        int32_t sx = tp_slope_x(run, i, rippled), sz = tp_slope_z(run, i, rippled);
-        int32_t vx = run->vx[i], vy = run->vy[i], vz = run->vz[i];
+    fill_blinn_halves(&halves, run->lv + i, count, blinn);
+    for (int32_t k = 0; k < count; k++) {
+        int32_t sx = tp_slope_x(run, i + k, rippled), sz = tp_slope_z(run, i + k, rippled);
+        int32_t vx = run->vx[i + k], vy = run->vy[i + k], vz = run->vz[i + k];
         int32_t ny = tp_rsqrt_one_plus(tp_slope_square(sx, sz));
         int32_t nv = vy - ((sx * vx + sz * vz) >> 12);
         int32_t nl = ly - ((sx * lx + sz * lz) >> 12);
@@ -110,20 +139,20 @@ TP_ALWAYS_INLINE void light_rough_columns(const tp_shade *restrict shade,
         nv = tp_rough_view_cosine(nv, &lobe.view);
         nv = rippled && nv < RIPPLED_VIEW ? RIPPLED_VIEW : nv;
         nl = tp_clamp(nl * ny >> 14, 0, 16384);
-        int32_t rv = tp_lobe_table_cosine(nl, seen, run->lv[i], blinn);
+        int32_t rv = lobe_cosine(&halves, k, nl, seen, run->lv[i + k], blinn);
         int32_t rise = blinn ? 0 : (2 * seen * ny >> 14) - vy - ly;
         int32_t up = ((2 * nv * ny >> 14) - vy) * lobe.view.height >> 14;
-        run->nv[i] = (int16_t)nv;
-        run->up[i] = (int16_t)(up > 16384 ? 16384 : up);
+        nvs[i + k] = (int16_t)nv;
+        ups[i + k] = (int16_t)(up > 16384 ? 16384 : up);
         int32_t glint = 0;
         if (TP_WIDE || rv > dark) {             /* most samples lie outside of the lobe */
             int32_t shine = sample_shine(shade, tp_rough_lobe_cosine(&lobe, rv, rise));
             glint = shine ? (shine * lobe.peak + half) >> 14 : 0;
         }
-        run->glint[i] = (uint16_t)(nl > 0 ? glint : 0);
+        glints[i + k] = (uint16_t)(nl > 0 ? glint : 0);
         nl = tp_clamp(nl + lobe.seen, 0, 16384);
-        run->colour[i] = tp_colour_scale(run->colour[i],
-                                         (uint32_t)tp_lit_share(ambient, nl));
+        colours[i + k] = tp_colour_scale(colours[i + k],
+                                     (uint32_t)tp_lit_share(ambient, nl));
     }
 }
 
@@ -134,7 +163,8 @@ TP_ALWAYS_INLINE void light_rough(const tp_shade *restrict shade, tp_run *restri
         int32_t stop = tp_block_end(run, i);
         const tp_rough_lobe lobe =
             tp_rough_lobe_make(shade, run->key[i], run->vy[i], run->lv[i], blinn);
-        light_rough_columns(shade, run, lobe, i, stop, rippled, blinn);
+        light_rough_columns(shade, run, run->nv, run->up, run->glint, run->colour, lobe, i,
+                            stop - i, rippled, blinn);
         i = stop;
     }
 }
@@ -147,7 +177,7 @@ DIFFUSE_STAGE(diffuse_rippled, 1)
 
 #define LIGHT_STAGE(name, rippled, blinn) \
     void tp_stage_##name(const tp_shade *restrict shade, tp_run *restrict run) \
-    { light(shade, run, rippled, blinn); }
+    { light(shade, run, run->nv, run->up, run->glint, run->colour, rippled, blinn); }
 LIGHT_STAGE(light, 0, 0)
 LIGHT_STAGE(light_rippled, 1, 0)
 LIGHT_STAGE(light_blinn, 0, 1)
