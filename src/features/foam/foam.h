@@ -14,11 +14,13 @@
  *     foam_stage.c     the span stages
  *     foam_surf.c      cover beyond the window by the depth of the floor
  *     foam_cover.h     cover beyond the window over open water
+ *     foam_wide.h      the stage's loops for vector units
  */
 #ifndef TP_FEATURES_FOAM_FOAM_H
 #define TP_FEATURES_FOAM_FOAM_H
 #include <stdint.h>
 #include "pool/pool.h"
+#include "shade/shade.h"
 #include "tidepool/assets.h"
 #include "tidepool/modules.h"
 #include "waves/coastal_water.h"
@@ -177,7 +179,7 @@ typedef struct {
                                  * 0 none, TP_FOAM_BEACH, or TP_FOAM_DEPTH by the
                                  * tp_foam_surf that follows */
     bool     has_surf;          /* true: a tp_foam_surf follows */
-    uint8_t  rank[256];         /* share of darker texels, by green, 0..255 */
+    tp_entry8 rank[256];        /* share of darker texels, by green, 0..255 */
 } tp_shade_foam;
 
 /* Foam beyond the window by the depth of the floor, a map or a plane.  Means at the depths

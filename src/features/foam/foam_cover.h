@@ -26,12 +26,14 @@ TP_ALWAYS_INLINE uint32_t tp_foam_open_cover(const tp_shade_foam *f, uint32_t fa
                                              int32_t i, uint32_t v)
 {
     const int32_t x = tp_slope_x(run, i, 0), z = tp_slope_z(run, i, 0);
-    const int32_t rise = x * f->way_x + z * f->way_z, up = rise / 16384;
+    const int32_t rise = x * f->way_x + z * f->way_z;
+    const int32_t up = TP_WIDE && rise < 0 ? 0 : rise / 16384;
 
-    if (rise < 0 && v == 0)
+    if (!TP_WIDE && rise < 0 && v == 0)     /* as the sum below */
         return 0;
     const uint32_t q = tp_foam_relative_square(f, tp_slope_square(x, z));
-    const uint32_t b = up > 0 ? tp_foam_relative_square(f, (uint32_t)(up * up)) : 0;
+    const uint32_t b =
+        TP_WIDE || up > 0 ? tp_foam_relative_square(f, (uint32_t)(up * up)) : 0;
     const uint32_t fresh = ((b * q + v * (2 * q + v)) >> 8) * far_fresh >> 16;
     const uint32_t cover = rise < 0 ? fresh : fresh + far_old;
 

@@ -39,7 +39,7 @@ void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture)
         foam->rank[v] = (uint8_t)(((below + count[v] / 2) * 255 + total / 2) / total);
         below += count[v];
     }
-    foam->mean = foam->rank[texture->level[texture->levels - 1][0] >> 8 & 0xff];
+    foam->mean = (int16_t)foam->rank[texture->level[texture->levels - 1][0] >> 8 & 0xff];
 }
 
 /* -- cover --------------------------------------------------------------------------- */
@@ -197,7 +197,7 @@ static uint32_t green(uint32_t texel)
 }
 
 /* Returns the bilinear green of four texels; s, t in repeats, Q0.32. */
-static uint32_t sample_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t mix_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t)
 {
     tp_four  f = tp_four_gather_centred(level, s, t);
     uint32_t over = green(f.texel[0]) * (256 - f.fs) + green(f.texel[1]) * f.fs;
@@ -206,30 +206,36 @@ static uint32_t sample_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t
     return (over * (256 - f.ft) + under * f.ft + 0x8000) >> 16;
 }
 
-/* Returns the cover after the large scale: more or less by the rank there, by at most 4/5
+static uint32_t sample_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t)
+{
+    return mix_bubbles(level, s, t);
+}
+
+/* Returns the cover, more or less by the difference of a rank to the mean's, by at most 4/5
  * of cover (1 - cover). */
+TP_ALWAYS_INLINE uint32_t spread_cover(uint32_t cover, int32_t above)
+{
+    const int32_t spread = (int32_t)(cover * (255 - cover) >> 6);
+    return (uint32_t)((int32_t)cover + above * spread * 103 / 65536);
+}
+
+/* Returns the cover after the large scale. */
 static uint32_t patch_cover(const tp_shade_foam *f, const lace *l, uint32_t cover,
                             uint32_t s, uint32_t t)
 {
     if (!l->wide.texel)
         return cover;
-    const int32_t rank = f->rank[sample_bubbles(&l->wide, s * f->wide_repeats
+    const int32_t rank = (int32_t)f->rank[sample_bubbles(&l->wide, s * f->wide_repeats
                                                           + f->wide_drift_s,
                                                 t * f->wide_repeats + f->wide_drift_t)];
-    const int32_t spread = (int32_t)(cover * (255 - cover) >> 6);
-    return (uint32_t)((int32_t)cover + (rank - l->wide_middle) * spread * 103 / 65536);
+    return spread_cover(cover, rank - l->wide_middle);
 }
 
 /* Returns the whiteness 0..256 of a place with this cover.  The mean over all ranks of a
  * texture equals the cover, if the ramp is centred on the texture's mean.  The
  * result is at most four times the cover, so foam appears and vanishes without a jump. */
-TP_ALWAYS_INLINE uint32_t compute_whiteness(const tp_shade_foam *f, const lace *l,
-                                            uint32_t cover, uint32_t s, uint32_t t)
+TP_ALWAYS_INLINE uint32_t rank_whiteness(const lace *l, uint32_t cover, int32_t rank)
 {
-    int32_t rank = 128;
-    if (l->level.texel)
-        rank = f->rank[sample_bubbles(&l->level, s * f->repeats + f->drift_s,
-                                      t * f->repeats + f->drift_t)];
     int32_t most = (int32_t)(cover * LACE >> 8);
     int32_t up = rank - l->middle + l->soft / 2 - (l->span * (128 - most) >> 7);
 
@@ -299,8 +305,14 @@ TP_ALWAYS_INLINE uint32_t laced_opacity(const tp_shade_foam *f, const lace *l,
                                         uint32_t cover, uint32_t s, uint32_t t)
 {
     cover = patch_cover(f, l, cover, s, t);
-    return lace_opacity(compute_whiteness(f, l, cover, s, t), cover);
+    int32_t rank = 128;
+    if (l->level.texel)
+        rank = (int32_t)f->rank[sample_bubbles(&l->level, s * f->repeats + f->drift_s,
+                                               t * f->repeats + f->drift_t)];
+    return lace_opacity(rank_whiteness(l, cover, rank), cover);
 }
+
+#include "features/foam/foam_wide.h"
 
 TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
                                int has_glint)
@@ -314,6 +326,10 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int rippled,
         lace    l;
         bool    laced = false, far = false;
         uint32_t filtered = 0;
+        if (TP_WIDE) {
+            foam_columns_wide(shade, run, i, stop - i, rippled, has_glint);
+            i = stop;
+        }
         for (; i < stop; i++) {
             uint32_t share, weight, cover = sample_window(f, run->s[i], run->t[i], &weight);
             if (weight < 256) {

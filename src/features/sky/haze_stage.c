@@ -45,6 +45,17 @@ TP_ALWAYS_INLINE uint32_t sample_horizon(const tp_shade *shade, tp_env_kind kind
     return tp_light_colour_clamped(shade, light);
 }
 
+/* Fades columns [k, k + count) of the 16 columns between the horizon's colours a and b. */
+TP_ALWAYS_INLINE void haze_columns(uint32_t a, uint32_t b, uint32_t scale, int32_t k,
+                                   int32_t count, const uint32_t *restrict key,
+                                   uint32_t *restrict colour)
+{
+    for (int32_t i = 0; i < count; i++) {
+        uint32_t horizon = tp_colour_mix(a, b, (uint32_t)(k + i) * 16);
+        colour[i] = tp_colour_mix(colour[i], horizon, haze_share(scale, key[i]));
+    }
+}
+
 TP_ALWAYS_INLINE void haze_run(const tp_shade *restrict shade, tp_run *restrict run,
                                tp_env_kind kind)
 {
@@ -56,11 +67,9 @@ TP_ALWAYS_INLINE void haze_run(const tp_shade *restrict shade, tp_run *restrict 
     for (int32_t i = 0; x < end; ) {
         int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
         uint32_t b = sample_horizon(shade, kind, from + 16, run->y);
-        for (; x < stop; x++, i++) {
-            uint32_t horizon = tp_colour_mix(a, b, (uint32_t)(x - from) * 16);
-            run->colour[i] = tp_colour_mix(run->colour[i], horizon,
-                                           haze_share(scale, run->key[i]));
-        }
+        haze_columns(a, b, scale, x - from, stop - x, run->key + i, run->colour + i);
+        i += stop - x;
+        x = stop;
         a = b;
     }
 }
