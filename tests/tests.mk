@@ -126,7 +126,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
 	@$(RUN) build/log/more tests/cross/run.sh tests/charts/sweep.sh tests/fuzz/replay.sh \
-	    tests/boards/cortex-m.sh $(SLOW) tests/gates/arm.sh tests/gates/clang.sh \
+	    tests/boards/cortex-m.sh $(SLOW) \
+	    $(patsubst %,tests/gates/%.sh,arm clang wide) \
 	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
