@@ -2,7 +2,8 @@
 /* Packed arithmetic: two 16-bit or four 8-bit lanes in a 32-bit word.  Microcontrollers
  * with Arm's DSP extension take one instruction each.  Other machines run the same
  * functions in plain C, and packed loop bodies are tested there too.  Larger Arms are
- * excluded: they have vectors, and compilers that name the lane types differently. */
+ * excluded: they have vectors, and compilers that name the lane types differently.  TP_WIDE
+ * tells processors with eight-lane vectors. */
 #ifndef TP_BASE_DSP_H
 #define TP_BASE_DSP_H
 #include "base/base.h"
@@ -112,6 +113,17 @@ TP_ALWAYS_INLINE uint32_t tp_pack_high_halves(uint32_t a, uint32_t b)
 #endif
 }
 
+/* Swaps the bytes of both halves. */
+TP_ALWAYS_INLINE uint32_t tp_swap_bytes_of_halves(uint32_t a)
+{
+#if TP_DSP
+    __asm__("rev16 %0, %1" : "=r"(a) : "r"(a));
+    return a;
+#else
+    return (a & 0x00ff00ffu) << 8 | (a >> 8 & 0x00ff00ffu);
+#endif
+}
+
 /* Keeps a constant in a register.  Otherwise the compiler turns products with a
  * known constant into shifts and sums, which gains nothing on a core that
  * multiplies in one cycle. */
@@ -121,6 +133,15 @@ TP_ALWAYS_INLINE uint32_t tp_keep_in_register(uint32_t constant)
     __asm__("" : "+r"(constant));
 #endif
     return constant;
+}
+
+/* Keeps an address in a register of its own. */
+TP_ALWAYS_INLINE const void *tp_keep_pointer(const void *at)
+{
+#if TP_DSP
+    __asm__("" : "+r"(at));
+#endif
+    return at;
 }
 
 /* Returns the product of the upper halves + the product of the lower halves +
@@ -279,4 +300,26 @@ TP_ALWAYS_INLINE int32_t tp_usat(int32_t x, int shift, int bits)
     return y < end ? y : end;
 #endif
 }
+
+/* -- two forms of some loops --------------------------------------------------------- */
+
+/* TP_WIDE selects between two forms of some loops: for processors with eight-lane vectors
+ * and for all others.  If TP_WIDE is 1, selects are cheaper than branches, and two small
+ * loops are cheaper than one loop with a table look-up.  On x86-64 entries of small tables
+ * take a word each, because vector units gather only words: 6 KB more per view there, none
+ * elsewhere. */
+
+#if defined(__AVX2__)
+#define TP_WIDE 1
+#else
+#define TP_WIDE 0
+#endif
+
+#if defined(__x86_64__)
+typedef uint32_t tp_entry8, tp_entry16;
+#else
+typedef uint8_t  tp_entry8;
+typedef uint16_t tp_entry16;
+#endif
+
 #endif

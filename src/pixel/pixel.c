@@ -174,10 +174,8 @@ void tp_store_xrgb8888(void *row, int x_in_row, int x, int y, const uint32_t *co
 #if TP_DSP
 TP_ALWAYS_INLINE void put_pair(uint8_t *to, uint32_t pair, int be)
 {
-    if (be) {                   /* the bytes of both halves swap: two instructions */
-        pair = __builtin_bswap32(pair);
-        pair = pair << 16 | pair >> 16;
-    }
+    if (be)
+        pair = tp_swap_bytes_of_halves(pair);
     __builtin_memcpy(to, &pair, sizeof pair);
 }
 #endif
@@ -220,40 +218,45 @@ void tp_store_rgb565(void *row, int x_in_row, int x, int y, const uint32_t *colo
     store_rgb565((uint8_t *)row + 2 * x_in_row, colours, count, 0);
 }
 
-TP_ALWAYS_INLINE uint32_t tone_map_rgb565(const tp_rgb565_tone_map *t, uint32_t c)
+TP_ALWAYS_INLINE uint32_t tone_map_rgb565(const tp_entry8 *restrict five,
+                                          const tp_entry8 *restrict six, uint32_t c)
 {
-    return (uint32_t)t->five[c >> 16 & 0xff] << 11 | (uint32_t)t->six[c >> 8 & 0xff] << 5
-         | t->five[c & 0xff];
+    return ((uint32_t)five[c >> 16 & 0xff] << 6 | (uint32_t)six[c >> 8 & 0xff]) << 5
+         | (uint32_t)five[c & 0xff];
 }
 
-TP_ALWAYS_INLINE void store_tone_mapped(const tp_rgb565_tone_map *t, uint8_t *to,
-                                        const uint32_t *colours, int count, int be)
+/* Each table has a register of its own, or compilers would add twice for an address. */
+TP_ALWAYS_INLINE void store_tone_mapped(const tp_entry8 *restrict five,
+                                        const tp_entry8 *restrict six, uint8_t *restrict to,
+                                        const uint32_t *restrict colours, int count, int be)
 {
     int i = 0;
 
 #if TP_DSP
+    six = tp_keep_pointer(six);
     for (; i + 3 < count; i += 4) {
         const uint32_t *c = colours + i;
-        put_pair(to + 2 * i, tone_map_rgb565(t, c[0]) | tone_map_rgb565(t, c[1]) << 16, be);
-        put_pair(to + 2 * i + 4,
-                 tone_map_rgb565(t, c[2]) | tone_map_rgb565(t, c[3]) << 16, be);
+        put_pair(to + 2 * i, tone_map_rgb565(five, six, c[0])
+                             | tone_map_rgb565(five, six, c[1]) << 16, be);
+        put_pair(to + 2 * i + 4, tone_map_rgb565(five, six, c[2])
+                                 | tone_map_rgb565(five, six, c[3]) << 16, be);
     }
 #endif
     for (; i < count; i++)
-        put_pixel(to + 2 * i, tone_map_rgb565(t, colours[i]), be);
+        put_pixel(to + 2 * i, tone_map_rgb565(five, six, colours[i]), be);
 }
 
-void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *t, void *to,
+void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *restrict t, void *restrict to,
                                  const uint32_t *colours, int count)
 {
     TP_ASSERT((uintptr_t)to % 2 == 0);
-    store_tone_mapped(t, to, colours, count, 0);
+    store_tone_mapped(t->five, t->six, to, colours, count, 0);
 }
 
-void tp_store_rgb565be_tone_mapped(const tp_rgb565_tone_map *t, void *to,
+void tp_store_rgb565be_tone_mapped(const tp_rgb565_tone_map *restrict t, void *restrict to,
                                    const uint32_t *colours, int count)
 {
-    store_tone_mapped(t, to, colours, count, 1);
+    store_tone_mapped(t->five, t->six, to, colours, count, 1);
 }
 
 void tp_store_rgb565be(void *row, int x_in_row, int x, int y, const uint32_t *colours,

@@ -79,7 +79,7 @@ TP_ALWAYS_INLINE uint32_t tp_rgb565_pack_pair(const tp_rgb565_kept *constants,
  * followed by conversion. */
 
 typedef struct {
-    uint8_t five[256], six[256];        /* five: levels of red and blue;
+    tp_entry8 five[256], six[256];      /* five: levels of red and blue;
                                          * six: levels of green */
 } tp_rgb565_tone_map;
 

@@ -100,27 +100,6 @@ uint32_t tp_glow_entry_squared_chord(uint32_t i);
 bool tp_cube_init(tp_cube *cube, const tp_texture *const face[TP_CUBE_FACES]);
 void tp_recip_init(uint32_t recip[TP_RECIP + 2]);
 
-/* -- two forms of some loops --------------------------------------------------------- */
-
-/* TP_WIDE selects between two forms of some loops: for processors with eight-lane vectors
- * and for all others.  If TP_WIDE is 1, selects are cheaper than branches, and two small
- * loops are cheaper than one loop with a table look-up.  On x86-64 entries of small tables
- * take a word each, because vector units gather only words: 6 KB more per view there, none
- * elsewhere. */
-
-#if defined(__AVX2__)
-#define TP_WIDE 1
-#else
-#define TP_WIDE 0
-#endif
-
-#if defined(__x86_64__)
-typedef uint32_t tp_entry8, tp_entry16;
-#else
-typedef uint8_t  tp_entry8;
-typedef uint16_t tp_entry16;
-#endif
-
 /* -- drifting textures on the water, as a frame stores them -------------------------- */
 
 /* A texture with the numbers that a span stage samples it by. */
