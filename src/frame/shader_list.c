@@ -255,6 +255,14 @@ static void fill_shader_lists(tp_frame *frame)
     count_missing_stages(frame, tp_frame_list(frame, TP_MARK_WATER), 0);
 }
 
+/* Makes the gradient of two colours again if one has changed: they are its ends.  The
+ * entries of a new frame are 0, the gradient of two blacks. */
+static void set_sky_gradient(tp_shade *shade, uint32_t horizon, uint32_t zenith)
+{
+    if (shade->sky[0] != horizon || shade->sky[TP_SKY] != zenith)
+        tp_shade_sky(shade, horizon, zenith);
+}
+
 void tp_frame_set_up_shading(tp_frame *frame)
 {
     TP_ASSERT(frame->projection.zi_near > 0);
@@ -274,7 +282,7 @@ void tp_frame_set_up_shading(tp_frame *frame)
             ? frame->buffers.filtered : NULL;
     shade->ripple = NULL;
     shade->fresnel = tp_fresnel_table;
-    tp_shade_sky(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
+    set_sky_gradient(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
     shade->env = (tp_env){ .beyond = (uint32_t)scene->hdr.share * TP_WHITES >> 8 };
     frame->tone_map = NULL;
     tp_frame_begin_modules(frame);
