@@ -31,16 +31,14 @@ static uint32_t fetch_texel(const tp_texture *texture, int level, uint32_t st)
     return texture->level[level][(st & 0xffff) >> (16 - h) << w | st >> 16 >> (16 - w)];
 }
 
-/* Returns the normal bent by the normal map, of any length; the caller normalizes.  A sum
- * has three products of 14 bits and, for the strongest bump, 12 bits. */
-static vec apply_normal_map(vec n, const tp_solid *solid, int level, uint32_t st,
-                            tp_packed_dir tangent)
+/* Returns the normal bent by a texel of the normal map, of any length; the caller
+ * normalizes.  A sum has three products of 14 bits and, for the strongest bump, 12 bits. */
+TP_ALWAYS_INLINE vec bend_normal(vec n, int32_t bump, uint32_t texel, tp_packed_dir tangent)
 {
-    uint32_t texel = fetch_texel(solid->normal_map, level, st);
     vec t = unpack_dir_q14(tangent), b = cross(n, t);
     int32_t hand = tangent >> 30 & 1 ? -1 : 1;
-    int32_t nx = ((int32_t)(texel >> 16 & 0xff) - 128) * solid->bump >> 8;
-    int32_t ny = ((int32_t)(texel >> 8 & 0xff) - 128) * solid->bump * hand >> 8;
+    int32_t nx = ((int32_t)(texel >> 16 & 0xff) - 128) * bump >> 8;
+    int32_t ny = ((int32_t)(texel >> 8 & 0xff) - 128) * bump * hand >> 8;
     int32_t nz = (int32_t)(texel & 0xff) - 128;
 
     nz = nz > 32 ? nz : 32;     /* a map that points inwards is faulty */
@@ -48,30 +46,56 @@ static vec apply_normal_map(vec n, const tp_solid *solid, int level, uint32_t st
                   n.z * nz + t.z * nx + b.z * ny };
 }
 
-TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
+/* Returns the normal bent by the normal map's texel at `st`. */
+static vec apply_normal_map(vec n, const tp_solid *solid, int level, uint32_t st,
+                            tp_packed_dir tangent)
+{
+    return bend_normal(n, solid->bump, fetch_texel(solid->normal_map, level, st), tangent);
+}
+
+#include "features/boat/boat_wide.h"
+
+TP_ALWAYS_INLINE uint32_t shade_sample(const tp_shade *shade, const tp_run *run, int32_t i,
+                                       int blinn)
 {
     const tp_boat_shading *shading = run->mine;
     const tp_solid *solid = &shading->solid[run->material];
     const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
+    int32_t  depth = tp_log_depth(shade, run->key[i]);
+    uint32_t st = run->s[i], diffuse = solid->diffuse;
+    vec n;
+
+    if (picture) {
+        int level = tp_mip_level_choose(solid->lod, depth, false, picture->levels);
+        diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);
+    }
+    if (normals) {
+        int level = tp_mip_level_choose(solid->lod, depth, false, normals->levels);
+        n = apply_normal_map(unpack_dir_q14(run->n[i]), solid, level, st,
+                             shading->mesh->faces[run->t[i]].tangent);
+        n = tp_vec_q14_unit(n.x, n.y, n.z);
+    } else {
+        n = tp_vec_q14_unpack(run->n[i]);
+    }
+    return tp_phong(shade, &shading->axes, solid, diffuse, n,
+                    (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i], blinn);
+}
+
+#define LONG 8                  /* samples; loops over fewer gain nothing */
+
+TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
+{
+    const tp_boat_shading *shading = run->mine;
 
     tp_run_fill_vectors_to_eye(shade, &shading->axes, run);
-    for (int32_t i = 0; i < run->count; i++) {
-        int32_t  depth = tp_log_depth(shade, run->key[i]);
-        uint32_t st = run->s[i], diffuse = solid->diffuse;
-        vec n = unpack_dir_q14(run->n[i]);
-        if (picture) {
-            int level = tp_mip_level_choose(solid->lod, depth, false, picture->levels);
-            diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t stop = TP_WIDE ? tp_block_end(run, i) : run->count;
+        if (TP_WIDE && !blinn && stop - i >= LONG) {
+            solid_columns_wide(shade, run, i, stop - i);
+            i = stop;
         }
-        if (normals) {
-            int level = tp_mip_level_choose(solid->lod, depth, false, normals->levels);
-            n = apply_normal_map(n, solid, level, st,
-                                 shading->mesh->faces[run->t[i]].tangent);
-        }
-        n = tp_vec_q14_unit(n.x, n.y, n.z);
-        run->colour[i] = tp_phong(shade, &shading->axes, solid, diffuse, n,
-                                  (vec){ run->vx[i], run->vy[i], run->vz[i] },
-                                  run->lv[i], blinn);
+        for (; i < stop; i++)
+            run->colour[i] = shade_sample(shade, run, i, blinn);
     }
 }
 
