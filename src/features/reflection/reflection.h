@@ -8,6 +8,7 @@
  *     reflection_drawing.c   the modules, and their pictures; cost
  *     reflection_stage.c     their span stages
  *     fast_reflection_stage.c  the planar reflection by blocks of pixels
+ *     reflection_wide.h      the planar reflection's loop for vector units
  */
 #ifndef TP_FEATURES_REFLECTION_REFLECTION_H
 #define TP_FEATURES_REFLECTION_REFLECTION_H

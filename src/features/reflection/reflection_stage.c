@@ -159,6 +159,8 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     return tp_planar_map_sample(map, u, (16 * y + 8 + dv) >> map->coarser);
 }
 
+#include "features/reflection/reflection_wide.h"
+
 void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
 {
     int32_t x = run->x, end = run->x + run->count;
@@ -172,6 +174,11 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
         tp_mirror_push b = tp_mirror_push_make(shade, next, run->y),
              step = push_change_per_block(&a, &b);
+        if (TP_WIDE && look->height >= 0 && look->height <= UINT32_MAX) {
+            mirror_columns_wide(look, run, &a, &step, i, stop - x);
+            i += stop - x;
+            x = stop;
+        }
         for (; x < stop; x++, i++) {
             uint32_t top = sample_reflected_object(look, run->y, &a, &step, x,
                                                    run->key[i], run->sx[i], run->sz[i]);
