@@ -55,47 +55,46 @@ static vec apply_normal_map(vec n, const tp_solid *solid, int level, uint32_t st
 
 #include "features/boat/boat_wide.h"
 
-TP_ALWAYS_INLINE uint32_t shade_sample(const tp_shade *shade, const tp_run *run, int32_t i,
-                                       int blinn)
-{
-    const tp_boat_shading *shading = run->mine;
-    const tp_solid *solid = &shading->solid[run->material];
-    const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
-    int32_t  depth = tp_log_depth(shade, run->key[i]);
-    uint32_t st = run->s[i], diffuse = solid->diffuse;
-    vec n;
-
-    if (picture) {
-        int level = tp_mip_level_choose(solid->lod, depth, false, picture->levels);
-        diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);
-    }
-    if (normals) {
-        int level = tp_mip_level_choose(solid->lod, depth, false, normals->levels);
-        n = apply_normal_map(unpack_dir_q14(run->n[i]), solid, level, st,
-                             shading->mesh->faces[run->t[i]].tangent);
-        n = tp_vec_q14_unit(n.x, n.y, n.z);
-    } else {
-        n = tp_vec_q14_unpack(run->n[i]);
-    }
-    return tp_phong(shade, &shading->axes, solid, diffuse, n,
-                    (vec){ run->vx[i], run->vy[i], run->vz[i] }, run->lv[i], blinn);
-}
-
 #define LONG 8                  /* samples; loops over fewer gain nothing */
+
+/* True if sample i begins a long part of a block. */
+TP_ALWAYS_INLINE bool begins_long_part(const tp_run *run, int32_t i)
+{
+    return (i == 0 || ((run->x + i) & 15) == 0) && tp_block_end(run, i) - i >= LONG;
+}
 
 TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
 {
     const tp_boat_shading *shading = run->mine;
+    const tp_solid *solid = &shading->solid[run->material];
+    const tp_texture *picture = solid->diffuse_map, *normals = solid->normal_map;
 
     tp_run_fill_vectors_to_eye(shade, &shading->axes, run);
-    for (int32_t i = 0; i < run->count; ) {
-        int32_t stop = TP_WIDE ? tp_block_end(run, i) : run->count;
-        if (TP_WIDE && !blinn && stop - i >= LONG) {
+    for (int32_t i = 0; i < run->count; i++) {
+        if (TP_WIDE && !blinn && begins_long_part(run, i)) {
+            const int32_t stop = tp_block_end(run, i);
             solid_columns_wide(shade, run, i, stop - i);
-            i = stop;
+            i = stop - 1;
+            continue;
         }
-        for (; i < stop; i++)
-            run->colour[i] = shade_sample(shade, run, i, blinn);
+        int32_t  depth = tp_log_depth(shade, run->key[i]);
+        uint32_t st = run->s[i], diffuse = solid->diffuse;
+        vec n;
+        if (picture) {
+            int level = tp_mip_level_choose(solid->lod, depth, false, picture->levels);
+            diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);
+        }
+        if (normals) {
+            int level = tp_mip_level_choose(solid->lod, depth, false, normals->levels);
+            n = apply_normal_map(unpack_dir_q14(run->n[i]), solid, level, st,
+                                 shading->mesh->faces[run->t[i]].tangent);
+            n = tp_vec_q14_unit(n.x, n.y, n.z);
+        } else {
+            n = tp_vec_q14_unpack(run->n[i]);
+        }
+        run->colour[i] = tp_phong(shade, &shading->axes, solid, diffuse, n,
+                                  (vec){ run->vx[i], run->vy[i], run->vz[i] },
+                                  run->lv[i], blinn);
     }
 }
 
