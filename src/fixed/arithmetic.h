@@ -82,6 +82,20 @@ static inline int tp_clz(uint32_t x)
 #endif
 }
 
+/* As tp_clz, in steps: for loops of vector units that have no such instruction. */
+static inline int tp_clz_in_steps(uint32_t x)
+{
+    int n = x >> 16 ? 0 : 16, more;
+
+    more = x << n >> 24 ? 0 : 8;
+    n += more;
+    more = x << n >> 28 ? 0 : 4;
+    n += more;
+    more = x << n >> 30 ? 0 : 2;
+    n += more;
+    return n + (x << n >> 31 ? 0 : 1);
+}
+
 tp_fx  tp_fx_div(tp_fx a, tp_fx b);     /* rounded half up; saturates; x/0 by sign of x */
 tp_fx  tp_fx_sqrt(tp_fx x);             /* nearest; 0 for x <= 0 */
 tp_fx  tp_fx_rsqrt(tp_fx x);            /* 1/sqrt(x) within 1 LSB; saturates for x <= 0 */

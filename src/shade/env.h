@@ -37,7 +37,9 @@ TP_ALWAYS_INLINE uint32_t tp_square_length(int32_t dx, int32_t dy, int32_t dz)
 
 TP_ALWAYS_INLINE uint32_t tp_glow_index(uint32_t square)
 {
-    int32_t i = (tp_log2_q8(square | 1) >> 3) - TP_GLOW_STEP * TP_GLOW_LOG2;
+    const uint32_t n = square | 1;
+    const int shift = TP_WIDE ? tp_clz_in_steps(n) : tp_clz(n);
+    int32_t i = (tp_log2_q8_shifted(n, shift) >> 3) - TP_GLOW_STEP * TP_GLOW_LOG2;
     return (uint32_t)tp_clamp(i, 0, TP_GLOW);
 }
 

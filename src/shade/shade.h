@@ -289,11 +289,15 @@ tp_ray tp_vector_to_eye(const tp_shade *shade, const tp_view_axes *axes, int32_t
 /* -- depth of a sample from its key, and the mipmap level at that depth -------------- */
 
 /* Returns log2(n) of n != 0, Q8, within 1/12: the exponent by clz, the fraction from the
- * next eight bits. */
+ * next eight bits.  tp_log2_q8_shifted takes the leading zeros of n. */
+static inline int32_t tp_log2_q8_shifted(uint32_t n, int shift)
+{
+    return (31 - shift) * 256 + (int32_t)((n << shift) >> 23 & 0xff);
+}
+
 static inline int32_t tp_log2_q8(uint32_t n)
 {
-    int shift = tp_clz(n);
-    return (31 - shift) * 256 + (int32_t)((n << shift) >> 23 & 0xff);
+    return tp_log2_q8_shifted(n, tp_clz(n));
 }
 
 /* Inverse depth of a sample: near plane / depth, Q1.31.  The low bits keep the sample's

@@ -14,25 +14,6 @@ typedef struct {
     int32_t u[16], v[16], meets[16];
 } map_places;
 
-/* As tp_clz for n != 0. */
-TP_ALWAYS_INLINE int32_t wide_leading_zeros(uint32_t n)
-{
-    int32_t zeros, more;
-
-    zeros = n >> 16 ? 0 : 16;
-    n <<= zeros;
-    more = n >> 24 ? 0 : 8;
-    zeros += more;
-    n <<= more;
-    more = n >> 28 ? 0 : 4;
-    zeros += more;
-    n <<= more;
-    more = n >> 30 ? 0 : 2;
-    zeros += more;
-    n <<= more;
-    return zeros + (n >> 31 ? 0 : 1);
-}
-
 /* As tp_mirror_depth_ratio, from the reciprocal of the water's inverse depth. */
 TP_ALWAYS_INLINE int32_t wide_depth_ratio(uint32_t object_zi, uint32_t recip, int32_t shift)
 {
@@ -70,7 +51,7 @@ TP_ALWAYS_INLINE void find_map_places(const tp_mirror *look, uint32_t height, in
         const int32_t at = tp_clamp(((x + i) >> half) - map.x0, 0, last);
         const uint32_t near = column[at].near, far = column[at].far;
         const uint32_t water = tp_key_zi(key[i]);
-        const int32_t  shift = wide_leading_zeros(water);
+        const int32_t  shift = tp_clz_in_steps(water);
         const uint32_t recip = (uint32_t)tp_recip_rough(water << shift);
         const int32_t  first = wide_depth_ratio(near, recip, shift);
         const int32_t  second = wide_depth_ratio(far, recip, shift);

@@ -186,12 +186,43 @@ const tp_stage tp_sky_cube_stages[] = {
 
 /* -- the dome ------------------------------------------------------------------------ */
 
+TP_ALWAYS_INLINE void compute_dome_colours(const tp_dome *restrict dome, uint32_t least,
+                                           const uint32_t *restrict square,
+                                           const int32_t *restrict height, int32_t count,
+                                           uint32_t *restrict out)
+{
+    for (int32_t i = 0; i < count; i++)
+        out[i] = tp_dome_colour(dome, square[i], height[i],
+                                tp_dome_lookup_glow(dome, least, square[i]));
+}
+
+/* Shades the sky in loops over all samples. */
+TP_ALWAYS_INLINE void shade_dome_wide(const tp_shade *restrict shade, tp_run *restrict run,
+                                      int hdr)
+{
+    const int32_t count = run->count;
+    uint32_t square[TP_RUN], light[TP_RUN];
+    int32_t  height[TP_RUN];
+
+    for (int32_t i = 0; i < count; i++) {
+        height[i] = -run->vy[i];
+        square[i] = tp_light_chord_square(shade, -run->vx[i], -run->vy[i], -run->vz[i]);
+    }
+    compute_dome_colours(shade->env.dome, 0, square, height, count, light);
+    for (int32_t i = 0; i < count; i++)
+        run->colour[i] = tp_sky_colour(shade, light[i], hdr);
+}
+
 TP_ALWAYS_INLINE void shade_dome(const tp_shade *shade, tp_run *run, int hdr)
 {
     TP_ASSERT(shade->env.dome != NULL);
     const int32_t count = run->count;
 
     tp_run_fill_vectors_to_eye(shade, &shade->world, run);
+    if (TP_WIDE) {
+        shade_dome_wide(shade, run, hdr);
+        return;
+    }
     for (int32_t i = 0; i < count; i++) {
         uint32_t light = tp_env_dome(shade, 0, -run->vx[i], -run->vy[i], -run->vz[i]);
         run->colour[i] = tp_sky_colour(shade, light, hdr);
@@ -208,32 +239,21 @@ void tp_stage_sky_dome_hdr(const tp_shade *shade, tp_run *run)
     shade_dome(shade, run, 1);
 }
 
-TP_ALWAYS_INLINE void compute_dome_colours(const tp_dome *restrict dome,
-                                           const uint32_t *restrict square,
-                                           const int16_t *restrict up,
-                                           const uint32_t *restrict glow, int32_t count,
-                                           uint32_t *restrict out)
-{
-    for (int32_t i = 0; i < count; i++)
-        out[i] = tp_dome_colour(dome, square[i], up[i] > 0 ? up[i] : 0, glow[i]);
-}
-
-/* Shades the reflection in three loops.  The glow needs a logarithm, which is not
- * vectorized, so its loop is separate. */
+/* Shades the reflection in two loops. */
 TP_ALWAYS_INLINE void reflect_dome_wide(const tp_shade *restrict shade,
                                         tp_run *restrict run)
 {
-    const tp_dome *dome = shade->env.dome;
     const int32_t count = run->count;
-    uint32_t square[TP_RUN], glow[TP_RUN];
+    uint32_t square[TP_RUN];
+    int32_t  height[TP_RUN];
 
     for (int32_t i = 0; i < count; i++) {
         tp_ray to = tp_reflected_compute(run, i);
+        height[i] = to.y;
         square[i] = tp_light_chord_square(shade, to.x, to.y, to.z);
     }
-    for (int32_t i = 0; i < count; i++)
-        glow[i] = tp_dome_lookup_glow(dome, shade->env.least, square[i]);
-    compute_dome_colours(dome, square, run->up, glow, count, run->mirror);
+    compute_dome_colours(shade->env.dome, shade->env.least, square, height, count,
+                         run->mirror);
 }
 
 void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
