@@ -199,7 +199,9 @@ typedef struct {
 #define TP_STAGES_OF_stars(X)       X(stars)
 #define TP_STAGES_OF_haze(X) \
     X(haze) X(haze_dome) X(haze_cube)       /* towards each sky's horizon */
-#define TP_STAGES_OF_boat(X)        X(solid) X(solid_blinn)     /* Phong or Blinn */
+#define TP_STAGES_OF_boat(X) \
+    X(solid) X(solid_blinn)         /* Phong or Blinn */ \
+    X(solid_fast)           /* by the light of vertices */
 #define TP_STAGES_OF_outlines(X)
 #define TP_STAGES_OF_land(X)        X(land) X(ground)       /* plain; like the floor */
 #define TP_STAGES_OF_drops(X)       X(drop)

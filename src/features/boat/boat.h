@@ -10,6 +10,7 @@
  *     boat_drawing.c   the modules boat (the mesh) and lids
  *     boat_faces.c     the list of a view's faces
  *     boat_projection.c  the mesh's vertices and cut faces in a view
+ *     boat_light.c     the light of vertices, for the fast rung of solids
  *     boat_outlines.c  the module outlines
  *     boat_stage.c     the lighting of the boat's materials
  *     boat_rungs.c     the cost of the boat's faces
@@ -47,7 +48,14 @@ typedef struct {
     tp_vec3        low, high;   /* corners of the box of its positions */
     tp_projection  projection;
     tp_fx          metres;      /* metres per 1.0 of the mesh's positions */
+    const tp_packed_dir *light; /* array, in the place of the vertices' normals; NULL */
 } tp_boat_view;
+
+/* Returns the normal of vertex i, or its light. */
+static inline tp_packed_dir tp_boat_vertex_normal(const tp_boat_view *b, uint32_t i)
+{
+    return b->light ? b->light[i] : b->mesh->vertices[i].normal;
+}
 
 /* Sets the mesh and its box, from the positions themselves. */
 void tp_boat_view_init(tp_boat_view *b, const tp_mesh *mesh);
@@ -141,6 +149,11 @@ static inline uint32_t tp_boat_face_number(const tp_boat_faces *faces, uint32_t 
     return entry >> (3 + 2 * faces->row_bits);
 }
 
+/* Lights the vertices of the listed faces; `light` has an entry for each vertex of the
+ * mesh. */
+void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, bool blinn,
+                         const tp_boat_faces *faces, tp_packed_dir *light);
+
 /* Bits of tp_boat_outlines.edges besides 1, 2, 4 for the three edges. */
 enum { TP_BOAT_FRONT = 8, TP_BOAT_CUT = 16, TP_BOAT_STEP = 64 };
 
@@ -149,8 +162,9 @@ enum { TP_BOAT_FRONT = 8, TP_BOAT_CUT = 16, TP_BOAT_STEP = 64 };
 typedef struct tp_boat_outlines {
     void (*find)(const struct tp_boat_outlines *o, const tp_boat_faces *faces,
                  const tp_boat_vertex *vertex, int32_t focal);
-    void (*draw)(const struct tp_boat_outlines *o, const tp_boat_faces *faces,
-                 const tp_boat_vertex *vertex, tp_gbuffer *tile, uint32_t mark);
+    void (*draw)(const struct tp_boat_outlines *o, const tp_boat_view *b,
+                 const tp_boat_faces *faces, const tp_boat_vertex *vertex,
+                 tp_gbuffer *tile, uint32_t mark);
     const tp_mesh *mesh;
     uint32_t *neighbour;        /* of each face's three edges, or none */
     uint8_t  *edges;            /* of each face: bit k: edge k is an outline */

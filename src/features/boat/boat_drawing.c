@@ -8,6 +8,9 @@
 #include "frame/frame.h"
 #include "mesh/mesh.h"
 
+/* Order of TP_STAGES_OF_boat. */
+enum { STAGE_PHONG, STAGE_BLINN, STAGE_FAST };
+
 /* The boat in one render view; valid until the next view is placed. */
 typedef struct {
     tp_boat_shading look;       /* data of the span stages; first member */
@@ -19,6 +22,8 @@ typedef struct {
     uint32_t        materials;  /* number of distinct materials */
     tp_boat_view    view;
     tp_grid_box     box;        /* covered pixels; empty: not visible */
+    tp_packed_dir  *light;      /* array, one for each vertex; NULL: no fast rung */
+    bool            fast;       /* solids of this frame are lit by their vertices */
 } drawn_boat;
 
 static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
@@ -95,6 +100,10 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     set_mesh_space_view(frame, b, view, &frame->drawn.boat);
     b->box = tp_boat_project_vertices(&b->view, tp_view_clip_plane(view), b->vertex);
     list_faces(frame, b, view);
+    b->view.light = b->fast ? b->light : NULL;
+    if (b->fast)
+        tp_boat_light_faces(&b->view, &b->look.axes, b->model == TP_LIGHT_BLINN, &b->faces,
+                            b->light);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;
@@ -147,12 +156,13 @@ static void draw_clipped(const pass *p, uint32_t f)
     }
 }
 
-static tp_screen_vertex make_corner(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
+static tp_screen_vertex make_corner(const tp_boat_vertex *at, const tp_mesh_vertex *vertex,
+                                    tp_packed_dir normal)
 {
     return (tp_screen_vertex){
         .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
-        .n = { (int16_t)tp_dir_x(vertex->normal), (int16_t)tp_dir_y(vertex->normal),
-               (int16_t)tp_dir_z(vertex->normal) },
+        .n = { (int16_t)tp_dir_x(normal), (int16_t)tp_dir_y(normal),
+               (int16_t)tp_dir_z(normal) },
     };
 }
 
@@ -161,10 +171,11 @@ static void draw_face(const pass *p, uint32_t f)
     const tp_boat_vertex *at = p->boat->vertex;
     const tp_mesh_vertex *vertex = p->mesh->vertices;
     const uint32_t *v = p->mesh->faces[f].vertex;
-    const tp_screen_vertex corner[3] = { make_corner(&at[v[0]], &vertex[v[0]]),
-                                         make_corner(&at[v[1]], &vertex[v[1]]),
-                                         make_corner(&at[v[2]], &vertex[v[2]]) };
+    tp_screen_vertex corner[3];
 
+    for (int k = 0; k < 3; k++)
+        corner[k] = make_corner(&at[v[k]], &vertex[v[k]],
+                                tp_boat_vertex_normal(&p->boat->view, v[k]));
     draw_triangle(p, corner, f);
 }
 
@@ -192,7 +203,7 @@ static void draw_outlines(const tp_frame *frame, const drawn_boat *b, tp_gbuffer
     const tp_boat_outlines *o = tp_frame_module_memory(frame, TP_OUTLINES_ID);
 
     if (o && samples->outline_shift)
-        o->draw(o, &b->faces, b->vertex, samples, mark);
+        o->draw(o, &b->view, &b->faces, b->vertex, samples, mark);
 }
 
 static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
@@ -240,6 +251,8 @@ static void begin_boat_materials(tp_frame *frame, void *mine)
     tp_fx metres = tp_mesh_metres_per_unit(mesh, frame->scene->boat.scale);
 
     frame->stats.dropped += mesh->n_materials - b->materials;
+    b->fast = b->light && frame->scene->quality.solids == TP_RUNG_FAST
+              && tp_frame_module_stages(frame, TP_BOAT_ID)[STAGE_FAST];
     if (b->model != frame->scene->light.model)
         make_gloss(frame, mine);
     for (uint32_t i = 0; i < b->materials; i++) {
@@ -279,6 +292,8 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     made.look.solid = made.solid = tp_arena_alloc(arena, made.materials,
                                                  sizeof *made.solid);
     made.gloss = tp_arena_alloc(arena, made.materials, TP_GLOSS);
+    if (conditions->scene->quality.solids == TP_RUNG_FAST)
+        made.light = tp_arena_alloc(arena, mesh->n_vertices, sizeof *made.light);
     if (b)
         *b = made;
     return b;
@@ -314,10 +329,15 @@ static bool set_anchor(const tp_frame *frame, const void *mine, tp_view_anchor *
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
 {
+    const drawn_boat *b = mine;
     const bool blinn = frame->scene->light.model == TP_LIGHT_BLINN;
 
     if (list->owner == &tp_boat_drawing)
-        tp_shaders_add(list, TP_AT_COLOUR, blinn && stage[1] ? stage[1] : stage[0], mine);
+        tp_shaders_add(list, TP_AT_COLOUR,
+                       b->fast ? stage[STAGE_FAST]
+                       : blinn && stage[STAGE_BLINN] ? stage[STAGE_BLINN]
+                                                     : stage[STAGE_PHONG],
+                       mine);
 }
 
 const tp_drawing tp_boat_drawing = {

@@ -233,12 +233,15 @@ static void find_edges(const tp_boat_outlines *o, const tp_boat_faces *faces,
     }
 }
 
-static tp_screen_vertex make_end(const tp_boat_vertex *at, const tp_mesh_vertex *vertex)
+static tp_screen_vertex make_end(const tp_boat_view *b, const tp_boat_vertex *at, uint32_t i)
 {
+    const tp_mesh_vertex *vertex = &b->mesh->vertices[i];
+    const tp_packed_dir normal = tp_boat_vertex_normal(b, i);
+
     return (tp_screen_vertex){
         .u = at->u, .v = at->v, .zi = at->zi, .s = vertex->s, .t = vertex->t,
-        .n = { (int16_t)tp_dir_x(vertex->normal), (int16_t)tp_dir_y(vertex->normal),
-               (int16_t)tp_dir_z(vertex->normal) },
+        .n = { (int16_t)tp_dir_x(normal), (int16_t)tp_dir_y(normal),
+               (int16_t)tp_dir_z(normal) },
     };
 }
 
@@ -250,8 +253,9 @@ static void move_into_face(tp_screen_vertex *end, const tp_mesh_vertex *third)
     end->t += (int32_t)(((int64_t)third->t - end->t) / 16);
 }
 
-static void draw_edges(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
-                       const tp_gbuffer *tile, uint32_t mark, uint32_t f)
+static void draw_edges(const tp_boat_outlines *o, const tp_boat_view *view,
+                       const tp_boat_vertex *vertex, const tp_gbuffer *tile, uint32_t mark,
+                       uint32_t f)
 {
     const tp_mesh *mesh = o->mesh;
     const int32_t top = 16 * tile->y0, bottom = 16 * tile->y1;
@@ -262,8 +266,8 @@ static void draw_edges(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
         if (!(o->edges[f] >> k & 1) || (a->v < top && b->v < top)
             || (a->v >= bottom && b->v >= bottom))
             continue;
-        tp_screen_vertex from = make_end(a, &mesh->vertices[i]),
-                         to = make_end(b, &mesh->vertices[j]);
+        tp_screen_vertex from = make_end(view, a, i),
+                         to = make_end(view, b, j);
         move_into_face(&from, &mesh->vertices[corner(mesh, f, (k + 2) % 3)]);
         move_into_face(&to, &mesh->vertices[corner(mesh, f, (k + 2) % 3)]);
         tp_outline_draw_edge(tile, &from, &to, mark, f);
@@ -271,8 +275,9 @@ static void draw_edges(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
 }
 
 /* Draws the outline into a tile, before the faces. */
-static void draw_outline(const tp_boat_outlines *o, const tp_boat_faces *faces,
-                         const tp_boat_vertex *vertex, tp_gbuffer *tile, uint32_t mark)
+static void draw_outline(const tp_boat_outlines *o, const tp_boat_view *view,
+                         const tp_boat_faces *faces, const tp_boat_vertex *vertex,
+                         tp_gbuffer *tile, uint32_t mark)
 {
     const tp_boat_rows rows = tp_boat_rows_find(faces, tile);
 
@@ -282,7 +287,7 @@ static void draw_outline(const tp_boat_outlines *o, const tp_boat_faces *faces,
          < faces->count; i++) {
         const uint32_t f = tp_boat_face_number(faces, faces->entry[i]);
         const uint32_t material = o->mesh->faces[f].material;
-        draw_edges(o, vertex, tile,
+        draw_edges(o, view, vertex, tile,
                    mark + (material < TP_BOAT_MATERIALS ? material : TP_BOAT_MATERIALS - 1),
                    f);
     }

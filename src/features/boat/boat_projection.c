@@ -134,16 +134,18 @@ tp_grid_box tp_boat_project_vertices(const tp_boat_view *b, const tp_view_plane 
                          : project_vertices(b, plane, vertex, 0);
 }
 
-static tp_view_vertex transform_vertex(const tp_boat_view *b, const tp_mesh_vertex *vertex)
+static tp_view_vertex transform_vertex(const tp_boat_view *b, uint32_t i)
 {
+    const tp_mesh_vertex *vertex = &b->mesh->vertices[i];
+    const tp_packed_dir normal = tp_boat_vertex_normal(b, i);
     tp_view_vertex c;
 
     tp_projection_view_vertex(&b->projection, position(b, vertex->position, 0), &c);
     c.s = vertex->s;
     c.t = vertex->t;
-    c.n[0] = (int16_t)tp_dir_x(vertex->normal);
-    c.n[1] = (int16_t)tp_dir_y(vertex->normal);
-    c.n[2] = (int16_t)tp_dir_z(vertex->normal);
+    c.n[0] = (int16_t)tp_dir_x(normal);
+    c.n[1] = (int16_t)tp_dir_y(normal);
+    c.n[2] = (int16_t)tp_dir_z(normal);
     return c;
 }
 
@@ -154,6 +156,6 @@ int tp_boat_clip_face(const tp_boat_view *b, const tp_view_plane *plane, uint32_
     tp_view_vertex in[3];
 
     for (int k = 0; k < 3; k++)
-        in[k] = transform_vertex(b, &b->mesh->vertices[v[k]]);
+        in[k] = transform_vertex(b, v[k]);
     return tp_clipped_corners(&b->projection, plane, in, corner);
 }

@@ -108,6 +108,100 @@ void tp_stage_solid_blinn(const tp_shade *shade, tp_run *run)
     solid_run(shade, run, 1);
 }
 
+/* -- the fast rung ------------------------------------------------------------------- */
+
+/*
+ * Samples carry the light of their vertices (boat_light.c) instead of a normal: no normal
+ * map, no view vector, no root.  The mipmap level is chosen once per 16 columns.
+ */
+
+/* Factors of a texel's channels, Q8.16: a product of 8 and 16 bits has the channel in its
+ * highest byte.  `shine`: the highlight to add. */
+typedef struct {
+    uint32_t r, g, b, shine;
+} light_factors;
+
+/* d is a channel of the material, 0..255, share at most 256; the result is at most
+ * 65535. */
+static inline uint32_t channel_factor(uint32_t d, uint32_t share)
+{
+    const uint32_t q = d * share;
+    return q + (q >> 8);
+}
+
+static light_factors find_factors(const tp_shade *shade, const tp_solid *solid,
+                                  uint32_t shine, uint32_t light)
+{
+    const int32_t nl = tp_dir_x(light), lobe = tp_dir_y(light);
+    const uint32_t share =
+        (uint32_t)tp_lit_share(shade->ambient, nl > 0 ? 32 * nl + 31 : 0);
+    const uint32_t gloss = nl > 0 && lobe > 0 ? solid->gloss[lobe >> 1] : 0;
+
+    return (light_factors){
+        channel_factor(solid->diffuse >> 16 & 0xff, share),
+        channel_factor(solid->diffuse >> 8 & 0xff, share),
+        channel_factor(solid->diffuse & 0xff, share),
+        gloss ? tp_colour_scale(shine, gloss) : 0,
+    };
+}
+
+/* Half a channel is added before each cut.  255 x 65535 + 2^15 is below 2^24. */
+TP_ALWAYS_INLINE uint32_t light_texel(uint32_t texel, const light_factors *f)
+{
+    const uint32_t r = (texel >> 16 & 0xff) * f->r + 0x8000,
+                   g = (texel >> 8 & 0xff) * f->g + 0x8000,
+                   b = (texel & 0xff) * f->b + 0x8000;
+    const uint32_t colour = (r & 0xff0000) | (g >> 8 & 0xff00) | b >> 16;
+
+    return f->shine ? tp_colour_add(colour, f->shine) : colour;
+}
+
+/* Texels of one mipmap level, by positions of 0.16 repeats. */
+typedef struct {
+    const uint32_t *texel;
+    uint32_t down_s, down_t, log2_w;
+} texels;
+
+static const uint32_t white = 0xffffff;
+
+static texels choose_texels(const tp_texture *picture, int level)
+{
+    if (!picture)
+        return (texels){ &white, 16, 16, 0 };
+    const uint32_t w = (uint32_t)(picture->log2_w > level ? picture->log2_w - level : 0),
+                   h = (uint32_t)(picture->log2_h > level ? picture->log2_h - level : 0);
+    return (texels){ picture->level[level], 16 - w, 16 - h, w };
+}
+
+TP_ALWAYS_INLINE uint32_t texel_at(const texels *p, uint32_t st)
+{
+    return p->texel[(st & 0xffff) >> p->down_t << p->log2_w | st >> 16 >> p->down_s];
+}
+
+void tp_stage_solid_fast(const tp_shade *shade, tp_run *run)
+{
+    const tp_boat_shading *shading = run->mine;
+    const tp_solid *solid = &shading->solid[run->material];
+    const tp_texture *picture = solid->diffuse_map;
+    const uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
+    uint32_t light = ~run->n[0];
+    light_factors f = { 0, 0, 0, 0 };
+
+    for (int32_t i = 0; i < run->count; ) {
+        const int32_t stop = tp_block_end(run, i), depth = tp_log_depth(shade, run->key[i]);
+        const texels block = choose_texels(
+            picture,
+            picture ? tp_mip_level_choose(solid->lod, depth, false, picture->levels) : 0);
+        for (; i < stop; i++) {
+            if (run->n[i] != light) {
+                light = run->n[i];
+                f = find_factors(shade, solid, shine, light);
+            }
+            run->colour[i] = light_texel(texel_at(&block, run->s[i]), &f);
+        }
+    }
+}
+
 const tp_stage tp_boat_stages[] = {
 #define X(name) tp_stage_##name,
     TP_STAGES_OF_boat(X)
