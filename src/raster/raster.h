@@ -124,6 +124,13 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
                   const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark,
                   uint32_t face, int opacity);
 
+/* Draws a solid triangle's front side at a lower price, for the fast rung.  n[0] and n[1]
+ * of the vertices are light within +-504; t of the samples is not set.  Returns false, and
+ * draws nothing, if the triangle is too large: larger than 64 px, or s and t need
+ * perspective. */
+bool tp_tri_solid_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                       const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark);
+
 /* Draws a lid, after the solids.  A lid writes depth only: a solid sample behind the lid
  * gets the lid's depth and keeps its stencil.  Water behind the lid is then hidden, and
  * water in front of the lid is drawn. */

@@ -50,20 +50,6 @@ TP_ALWAYS_INLINE void fill_depth_only(const span *sp)
     }
 }
 
-/* True if a sample of this depth belongs to the outline at `key`.  A surface bends towards
- * the viewer from its outline on, so the nearer side of the window is wider.  Outside of a
- * single edge the sample lies behind the outline. */
-static inline bool is_of_outline(const span *sp, const uint32_t *key, uint32_t depth)
-{
-    const uint32_t at = key[0] & ~(uint32_t)0xff, wide = at >> sp->window;
-    const ptrdiff_t plane = sp->s_out - sp->key;
-
-    return key[0] && TP_MARK(key[0]) == sp->mark
-           && depth - at + wide / 4 <= wide / 2
-           && (key[3 * plane] & TP_OUTLINE_MORE
-               || tp_outline_share(key[2 * plane], 0) >= 128);
-}
-
 static void advance_span(span *sp)
 {
     sp->zi.now += sp->zi.step;
@@ -82,7 +68,7 @@ static __attribute__((noinline)) void fill_beside_outlines(span *sp)
         const uint32_t depth = sp->zi.now << 1 & ~(uint32_t)0xff;
         if (depth <= (*key | 0xff) || !(sp->pattern >> ((sp->x + i) & 3) & 1))
             continue;
-        if (is_of_outline(sp, outline, depth)) {
+        if (tp_is_of_outline(outline, sp->s_out - sp->key, sp->mark, sp->window, depth)) {
             outline[sp->n_out - sp->key] |= TP_OUTLINE_HIT;
             continue;
         }

@@ -248,4 +248,17 @@ TP_ALWAYS_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
     return true;
 }
 
+/* True if a sample of this depth belongs to the outline at `key`, whose planes are `plane`
+ * words apart.  A surface bends towards the viewer from its outline on, so the nearer side
+ * of the window is wider.  Outside of a single edge the sample lies behind the outline. */
+static inline bool tp_is_of_outline(const uint32_t *key, ptrdiff_t plane, uint32_t mark,
+                                    int window, uint32_t depth)
+{
+    const uint32_t at = key[0] & ~(uint32_t)0xff, wide = at >> window;
+
+    return key[0] && TP_MARK(key[0]) == mark && depth - at + wide / 4 <= wide / 2
+           && (key[3 * plane] & TP_OUTLINE_MORE
+               || tp_outline_share(key[2 * plane], 0) >= 128);
+}
+
 #endif

@@ -138,6 +138,10 @@ static void draw_triangle(const pass *p, const tp_screen_vertex corner[3], uint3
     uint32_t material = p->mesh->faces[f].material;
     tp_fx opacity = p->mesh->materials[material].opacity;
 
+    if (p->boat->fast && opacity >= TP_FX_ONE
+        && tp_tri_solid_fast(p->tile, &corner[0], &corner[1], &corner[2],
+                             p->mark + clamp_material(material)))
+        return;
     if (is_invisible_lid(p->mesh, material))
         tp_tri_depth_only(p->tile, &corner[0], &corner[1], &corner[2]);
     else

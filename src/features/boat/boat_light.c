@@ -9,6 +9,7 @@
 #include "mesh/mesh.h"
 #include "shade/material.h"
 
+#define MOST  504                           /* rounding in a plane adds a few */
 #define UNLIT ((tp_packed_dir)1 << 31)      /* no packed light has this bit */
 
 typedef struct {
@@ -44,13 +45,13 @@ static tp_packed_dir find_light(const lights *l, const tp_mesh_vertex *vertex)
     const int32_t x = tp_dir_x(vertex->normal), y = tp_dir_y(vertex->normal),
                   z = tp_dir_z(vertex->normal);
     const tp_vec_q14 v = find_way_to_eye(l->view, vertex->position);
-    const int32_t nl = tp_clamp((x * axes->lx + y * axes->ly + z * axes->lz) >> 14, -511,
-                                511),
+    const int32_t nl = tp_clamp((x * axes->lx + y * axes->ly + z * axes->lz) >> 14, -MOST,
+                                MOST),
                   nv = (x * v.x + y * v.y + z * v.z) >> 9,
                   lv = (axes->lx * v.x + axes->ly * v.y + axes->lz * v.z) >> 14;
     const int32_t lobe = tp_lobe_table_cosine(32 * nl, nv, lv, l->blinn);
 
-    return ((uint32_t)nl & 1023) | ((uint32_t)tp_clamp(lobe >> 5, -511, 511) & 1023) << 10;
+    return ((uint32_t)nl & 1023) | ((uint32_t)tp_clamp(lobe >> 5, -MOST, MOST) & 1023) << 10;
 }
 
 static void light_faces(const lights *l, const tp_boat_faces *faces, uint32_t first,
