@@ -7,7 +7,7 @@
 
 static const double TURN = 6.283185307179586;
 
-enum { SHIELDS = 14, OARS = 9, RIM = 10, BOSS = 6 };
+enum { SHIELDS = 14, OARS = 9, RIM = 10, RIM_MIDDLE = 7, BOSS = 6 };
 
 static const double RADIUS = .43; /* radius of a shield, m */
 
@@ -62,6 +62,35 @@ static void shield_back(mesh *m, const stand *s, int smoothing)
     }
     for (int i = 0; i < RIM; i++)
         mesh_triangle(m, centre, rim[(i + 1) % RIM], rim[i], smoothing);
+}
+
+/* A flat shield: its front, or the boards of its inner side, turned round. */
+static void flat_shield(mesh *m, const stand *s, int design, bool front)
+{
+    const double reach = .234;
+    double cs = .25 + .5 * (design % 2), ct = .25 + .5 * (design / 2);
+    corner rim[RIM_MIDDLE];
+    for (int i = 0; i < RIM_MIDDLE; i++) {
+        double c = cos(TURN * (i + .3) / RIM_MIDDLE), d = sin(TURN * (i + .3) / RIM_MIDDLE);
+        vec at = on_stand(s, RADIUS * d, RADIUS * c, front ? .02 : -.01);
+        rim[i] = front ? corner_of(at, cs - reach * d, ct + reach * c)
+                       : corner_of(at, .1 + .3 * c, .5 + .3 * d);
+    }
+    for (int i = 1; i + 1 < RIM_MIDDLE; i++)
+        mesh_triangle(m, rim[0], rim[front ? i : i + 1], rim[front ? i + 1 : i], 0);
+}
+
+static void flat_shields(mesh *m)
+{
+    for (int part = 0; part < 2; part++) {
+        mesh_part(m, "shields", part == 0 ? "shield" : "oak");
+        for (int i = 0; i < 2 * SHIELDS; i++) {
+            stand s = rail_stand(.93 * (i % SHIELDS) - .465 * (SHIELDS - 1));
+            m->mirror = i >= SHIELDS;
+            flat_shield(m, &s, (i + i / SHIELDS) % 4, part == 0);
+        }
+    }
+    m->mirror = false;
 }
 
 static void boss(mesh *m, const stand *s, int smoothing)
@@ -121,7 +150,7 @@ static void loom(mesh *m, vec a, vec b, const oar_key *key, int keys, tube_style
     mesh_tube(m, ring, keys, 4, style);
 }
 
-static void oars(mesh *m)
+static void oars(mesh *m, ship_detail detail)
 {
     static const oar_key key[] = {
         { 0, .034, .034 },
@@ -129,15 +158,17 @@ static void oars(mesh *m)
         { .79, .022, .105 },
         { 1, .014, .135 },
     };
+    static const oar_key key_middle[] = { { 0, .034, .034 }, { 1, .016, .09 } };
+    const bool full = detail == FULL;
     mesh_part(m, "oars", "deck");
     for (int i = 0; i < 2 * OARS; i++) {
         double z = .93 * (i % OARS) - .465 * (OARS - 1) - .1;
         vec hole = hull_point(6.45, hull_u_at(6.45, z));
         vec hand = vec_add(hole, vec_of(-.95, .30, -.17));
         vec tip = vec_add(hole, vec_of(3.30, -1.03, .59));
-        tube_style style = { .42, .56, .12, false, true, true, 400 + 4 * (i % OARS) };
+        tube_style style = { .42, .56, .12, !full, full, full, 400 + 4 * (i % OARS) };
         m->mirror = i >= OARS;
-        loom(m, hand, tip, key, 4, style);
+        loom(m, hand, tip, full ? key : key_middle, full ? 4 : 2, style);
     }
     m->mirror = false;
 }
@@ -187,12 +218,15 @@ static void thwarts(mesh *m)
     }
 }
 
-void gear_build(mesh *m)
+void gear_build(mesh *m, ship_detail detail)
 {
     thwarts(m);
-    shields(m);
-    oars(m);
-    steering_oar(m, false);
+    if (detail == FULL)
+        shields(m);
+    else
+        flat_shields(m);
+    oars(m, detail);
+    steering_oar(m, detail != FULL);
 }
 
 void gear_build_low(mesh *m)

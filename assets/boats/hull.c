@@ -280,9 +280,9 @@ static void build(mesh *m, const hull_plan *plan)
     }
 }
 
-void hull_build(mesh *m)
+void hull_build(mesh *m, ship_detail detail)
 {
-    static const hull_plan plan = {
+    static const hull_plan full = {
         .planks = STRAKES,
         .stations = 19,
         .edge = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 },
@@ -292,7 +292,15 @@ void hull_build(mesh *m)
         .rail = .068,
         .decked = 1,
     };
-    build(m, &plan);
+    static const hull_plan middle = {
+        .planks = 4,
+        .stations = 11,
+        .edge = { 0, 2, 4, 6, 9 },
+        .u = { -1, -.92, -.77, -.56, -.3, 0, .3, .56, .77, .92, 1 },
+        .rail = .068,
+        .decked = 1,
+    };
+    build(m, detail == FULL ? &full : &middle);
 }
 
 /* Without laps and rail the strips of laps and rail have no area, so they are dropped. */

@@ -150,27 +150,27 @@ static const head_key jaw[] = {
     { .72, -.170, 18, .055, .030, .045 },
 };
 
-static void oval(path_point neck, const head_key *k, vec *to)
+static void oval(path_point neck, const head_key *k, int sides, vec *to)
 {
     double nx[HEAD_SIDES][2];
-    for (int i = 0; i < HEAD_SIDES; i++) {
-        double around = TURN * (i + .5) / HEAD_SIDES, c = cos(around);
+    for (int i = 0; i < sides; i++) {
+        double around = TURN * (i + .5) / sides, c = cos(around);
         nx[i][0] = HEAD * c * (c > 0.0 ? k->up : k->down);
         nx[i][1] = HEAD * sin(around) * k->wide;
     }
     path_point p = { neck.d + HEAD * k->f, neck.y + HEAD * k->v,
                      k->degrees * TURN / 360.0 };
-    put_ring(BOW, p, nx, HEAD_SIDES, to);
+    put_ring(BOW, p, nx, sides, to);
 }
 
-static void head_part(mesh *m, path_point neck, const head_key *k, int keys,
+static void head_part(mesh *m, path_point neck, const head_key *k, int keys, int sides,
                       int smoothing)
 {
     vec ring[8 * HEAD_SIDES];
     for (int i = 0; i < keys; i++)
-        oval(neck, k + i, ring + i * HEAD_SIDES);
+        oval(neck, k + i, sides, ring + i * sides);
     tube_style style = { .42, .05, .15, true, true, true, smoothing };
-    mesh_tube(m, ring, keys, HEAD_SIDES, style);
+    mesh_tube(m, ring, keys, sides, style);
 }
 
 /* A spike over a base of four corners, right-handed about the direction to the tip. */
@@ -183,10 +183,10 @@ static void spike(mesh *m, const vec *base, vec tip)
     }
 }
 
-/* Spikes of the mane: lengthwise plates on the neck's inboard side. */
-static void mane(mesh *m)
+/* Spikes of the mane, or every `step`-th: lengthwise plates on the neck's inboard side. */
+static void mane(mesh *m, int step)
 {
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 8; i += step) {
         double s = 6.15 + .235 * i, depth = post_depth(BOW, s) * .5 - .03;
         path_point a = path_at(BOW, s), b = path_at(BOW, s + .20);
         double foot[4][2] = {
@@ -265,18 +265,21 @@ static void eye(mesh *m, path_point neck)
     spike(m, base, to_ship(BOW, x + r, d + .01, y + .005));
 }
 
-static void dragon(mesh *m)
+static void dragon(mesh *m, ship_detail detail)
 {
     path_point neck = path_at(BOW, 8.2);
+    const bool full = detail == FULL;
     mesh_part(m, "dragon", "oak");
-    head_part(m, neck, skull, 7, 130);
-    head_part(m, neck, jaw, 4, 131);
+    head_part(m, neck, skull, 7, full ? HEAD_SIDES : 4, 130);
+    head_part(m, neck, jaw, 4, full ? HEAD_SIDES : 3, 131);
     mesh_part(m, "dragon", "carved");
-    mane(m);
+    mane(m, full ? 1 : 2);
     for (int side = 0; side < 2; side++) {
         m->mirror = side == 1;
         mesh_part(m, "dragon", "oak");
         horn(m, neck);
+        if (!full)
+            continue;
         mesh_part(m, "dragon", "bone");
         teeth(m, neck);
         eye(m, neck);
@@ -284,23 +287,7 @@ static void dragon(mesh *m)
     m->mirror = false;
 }
 
-void posts_build(mesh *m)
-{
-    static const double bow[] = { 0,   .9,  1.8, 2.6, 3.3,  4.0,  4.7,
-                                  5.4, 6.1, 6.8, 7.3, 7.65, 7.95, 8.2 };
-    static const double stern[] = { 0,   .9,   1.8, 2.6,  3.3,  4.0,  4.7,   5.4,  6.1,
-                                    6.7, 7.2,  7.6, 7.95, 8.3,  8.6,  8.85,  9.1,  9.3,
-                                    9.5, 9.68, 9.9, 10.1, 10.3, 10.5, 10.72, 10.95 };
-    mesh_part(m, "keel", "tar");
-    keel(m);
-    mesh_part(m, "stem", "carved");
-    post(m, BOW, bow, 14, 100);
-    mesh_part(m, "stern", "carved");
-    post(m, STERN, stern, 26, 110);
-    dragon(m);
-}
-
-/* -- low-detail posts ---------------------------------------------------------------- */
+/* -- posts with three sides ---------------------------------------------------------- */
 
 static void post_low(mesh *m, ship_end end, const double *at, int rings, int smoothing)
 {
@@ -314,6 +301,33 @@ static void post_low(mesh *m, ship_end end, const double *at, int rings, int smo
     }
     tube_style style = { .9, .5, 2.0, false, false, true, smoothing };
     mesh_tube(m, ring, rings, 3, style);
+}
+
+/* -- the posts of each detail --------------------------------------------------------- */
+
+void posts_build(mesh *m, ship_detail detail)
+{
+    static const double bow[] = { 0,   .9,  1.8, 2.6, 3.3,  4.0,  4.7,
+                                  5.4, 6.1, 6.8, 7.3, 7.65, 7.95, 8.2 };
+    static const double stern[] = { 0,   .9,   1.8, 2.6,  3.3,  4.0,  4.7,   5.4,  6.1,
+                                    6.7, 7.2,  7.6, 7.95, 8.3,  8.6,  8.85,  9.1,  9.3,
+                                    9.5, 9.68, 9.9, 10.1, 10.3, 10.5, 10.72, 10.95 };
+    static const double bow_middle[] = { 2.0, 3.3, 4.7, 6.1, 6.8, 7.3, 7.65, 7.95, 8.25 };
+    static const double stern_middle[] = { 2.0, 3.3, 4.7, 6.1,  6.7, 7.2, 7.6,
+                                           8.3, 8.85, 9.3, 9.9, 10.4, 10.95 };
+    mesh_part(m, "keel", "tar");
+    keel(m);
+    mesh_part(m, "stem", "carved");
+    if (detail == FULL)
+        post(m, BOW, bow, 14, 100);
+    else
+        post_low(m, BOW, bow_middle, 9, 100);
+    mesh_part(m, "stern", "carved");
+    if (detail == FULL)
+        post(m, STERN, stern, 26, 110);
+    else
+        post_low(m, STERN, stern_middle, 13, 110);
+    dragon(m, detail);
 }
 
 void posts_build_low(mesh *m)

@@ -115,17 +115,19 @@ static void side_ropes(mesh *m, int smoothing)
     rope(m, vec_add(brace, vec_of(-.03, .06, 0)), arm, .014, smoothing + 4);
 }
 
-void rig_build(mesh *m)
+void rig_build(mesh *m, ship_detail detail)
 {
+    const bool full = detail == FULL;
     mesh_part(m, "mast", "oak");
-    mast(m, 8);
+    mast(m, full ? 8 : 4);
     tube_style fish = { .42, .0, 1.0, false, true, true, 190 };
-    mesh_beam(m, vec_of(0, .46, -1.1), vec_of(0, .46, 1.7), vec_of(.24, 0, 0),
-              vec_of(0, .09, 0), fish);
+    if (full)
+        mesh_beam(m, vec_of(0, .46, -1.1), vec_of(0, .46, 1.7), vec_of(.24, 0, 0),
+                  vec_of(0, .09, 0), fish);
     mesh_part(m, "yard", "oak");
-    yard(m, 6);
+    yard(m, full ? 6 : 3);
     mesh_part(m, "sail", "sail");
-    sail(m, 12, 9);
+    sail(m, full ? 12 : 6, full ? 9 : 5);
     mesh_part(m, "ropes", "rope");
     vec stem = vec_add(post_rabbet(BOW, STRAKES), vec_of(0, .55, .15));
     vec stern = vec_add(post_rabbet(STERN, STRAKES), vec_of(0, .55, -.15));

@@ -74,7 +74,9 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
 
 /* Effects with cheaper rungs: name, words of the rungs from dearest to cheapest, number of
  * the last rung, help.  The row of an effect is quality.NAME.  `auto` is the exact rung
- * until the plan knows the prices of the effects. */
+ * until the plan knows the prices of the effects.  quality.mesh takes effect when assets
+ * are loaded: the boat's mesh is that of boat.mesh, or the file beside it with -mid or -low
+ * before its suffix, if there is one. */
 #define TP_EFFECT_LIST(X) \
     X(sky, "auto|exact|fast", 2, "colours of the sky: each pixel, or a lattice") \
     X(haze, "auto|exact|fast", 2, "haze: each pixel, or blocks of pixels") \
@@ -85,7 +87,8 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(foam, "auto|exact|fast", 2, "foam: each pixel, or pairs of pixels") \
     X(objects, "auto|exact|fast", 2, "mirrored objects: each pixel, or blocks of pixels") \
     X(refraction, "auto|exact|fast", 2, "view into water: each pixel, or a lattice") \
-    X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone")
+    X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone") \
+    X(mesh, "auto|full|middle|low", 3, "mesh of the boat: boat.mesh, NAME-mid, NAME-low")
 
 /* The first rungs of every effect. */
 enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST };
@@ -99,6 +102,9 @@ typedef struct {
 #undef X
     tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
 } tp_scene_quality;
+
+/* The rungs of quality.mesh. */
+enum { TP_MESH_AUTO, TP_MESH_FULL, TP_MESH_MIDDLE, TP_MESH_LOW };
 
 #define TP_NAME_BYTES 128       /* bytes of a name in a scene, terminating zero included */
 

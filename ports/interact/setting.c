@@ -17,6 +17,11 @@ bool setting_is_grid(const tp_param *param)
     return param->offset == offsetof(tp_scene, grid.vertices);
 }
 
+bool setting_names_files(const tp_param *param)
+{
+    return tp_param_is_file(param) || param->offset == offsetof(tp_scene, quality.mesh);
+}
+
 bool setting_is_wall(const tp_param *param, const tp_assets *assets)
 {
     return assets->pool_mask && (param->offset == offsetof(tp_scene, pool.x)

@@ -35,6 +35,9 @@ setting_result setting_take(const tp_program *program, const tp_scene *scene,
 /* True if the parameter is the number of grid lines, in either direction. */
 bool setting_is_grid(const tp_param *param);
 
+/* True if the parameter is a file name, or chooses among files: a program loads them. */
+bool setting_names_files(const tp_param *param);
+
 /* True if the parameter moves walls inside the pool; a frame keeps walls at the position
  * of their first drawing. */
 bool setting_is_wall(const tp_param *param, const tp_assets *assets);

@@ -13,7 +13,7 @@
 
 static bool may_change(const control *c, const tp_param *param)
 {
-    if (c->setup->scene && !tp_param_is_file(param) && !setting_is_grid(param))
+    if (c->setup->scene && !setting_names_files(param) && !setting_is_grid(param))
         return true;
     reply_text(c, "error ");
     reply_text(c, param->name);

@@ -31,7 +31,7 @@ typedef struct {
     char material[MATERIALS][NAME];
 } longship_model;
 
-static longship_model full, low;
+static longship_model full, middle, low;
 
 /* -- reading ------------------------------------------------------------------------- */
 
@@ -95,6 +95,7 @@ static int read_models(void **state)
 {
     (void)state;
     read_model(&full, "boats/longship.obj");
+    read_model(&middle, "boats/longship-mid.obj");
     read_model(&low, "boats/longship-low.obj");
     return 0;
 }
@@ -104,8 +105,15 @@ static int read_models(void **state)
 static void the_longship_has_1500_to_6000_triangles(void **state)
 {
     (void)state;
-    print_message("longship %d triangles, low %d\n", full.faces, low.faces);
+    print_message("longship %d triangles, middle %d, low %d\n", full.faces, middle.faces,
+                  low.faces);
     assert_in_range(full.faces, 1500, 6000);
+}
+
+static void the_middle_longship_has_1000_to_1500_triangles(void **state)
+{
+    (void)state;
+    assert_in_range(middle.faces, 1000, 1500);
 }
 
 static void the_small_longship_has_at_most_300_triangles(void **state)
@@ -131,6 +139,7 @@ static void every_corner_names_what_the_file_holds(void **state)
 {
     (void)state;
     check_indices(&full);
+    check_indices(&middle);
     check_indices(&low);
 }
 
@@ -164,6 +173,7 @@ static void the_hull_is_watertight(void **state)
 {
     (void)state;
     check_closed(&full);
+    check_closed(&middle);
     check_closed(&low);
 }
 
@@ -209,6 +219,7 @@ static void the_hull_holds_20_to_40_cubic_metres_right_side_out(void **state)
     (void)state;
     print_message("hull %.1f m3, low %.1f m3\n", hull_volume(&full), hull_volume(&low));
     assert_true(hull_volume(&full) > 20.0 && hull_volume(&full) < 40.0);
+    assert_true(hull_volume(&middle) > 20.0 && hull_volume(&middle) < 40.0);
     assert_true(hull_volume(&low) > 20.0 && hull_volume(&low) < 40.0);
 }
 
@@ -233,6 +244,7 @@ static void normals_are_unit_and_look_outward(void **state)
 {
     (void)state;
     check_normals(&full);
+    check_normals(&middle);
     check_normals(&low);
 }
 
@@ -270,6 +282,7 @@ static void the_ship_is_20_metres_long_and_4_wide(void **state)
 {
     (void)state;
     check_size(&full);
+    check_size(&middle);
     check_size(&low);
 }
 
@@ -345,6 +358,7 @@ static void materials_are_defined_and_their_pictures_exist(void **state)
 {
     (void)state;
     check_materials(&full);
+    check_materials(&middle);
     check_materials(&low);
 }
 
@@ -352,6 +366,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_longship_has_1500_to_6000_triangles),
+        cmocka_unit_test(the_middle_longship_has_1000_to_1500_triangles),
         cmocka_unit_test(the_small_longship_has_at_most_300_triangles),
         cmocka_unit_test(every_corner_names_what_the_file_holds),
         cmocka_unit_test(the_hull_is_watertight),

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "app/scene/scene_save.h"
+#include "interact/setting.h"
 #include "view.h"
 #include "world/text.h"
 #include "world/world.h"
@@ -35,7 +36,7 @@ static bool may_change(view *v)
 static void was_changed(view *v, const tp_param *param, uint64_t tick, bool opened)
 {
     v->base += tick - v->loaded->world->tick;
-    if (tp_param_is_file(param))
+    if (setting_names_files(param))
         rewind_forget(v->history);
     v->changed = true;
     view_refit(v, opened);

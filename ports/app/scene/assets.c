@@ -126,6 +126,27 @@ static int load_grey(asset_set *a, tp_grey *grey, const char *path, const char *
 
 /* -- the scene ----------------------------------------------------------------------- */
 
+/* Replaces *path of an OBJ by that of the mesh of quality.mesh, if the file exists.
+ * Returns an exit code. */
+static int choose_mesh(const scene_file *file, char **path)
+{
+    static const char *const ends[] = { [TP_MESH_MIDDLE] = "-mid.obj",
+                                        [TP_MESH_LOW] = "-low.obj" };
+    const int32_t rung = file->scene.quality.mesh;
+    if (rung < TP_MESH_MIDDLE || !path_ends(*path, ".obj"))
+        return EXIT_DONE;
+    const size_t stem = strlen(*path) - strlen(".obj"), end = strlen(ends[rung]);
+    char *other = malloc(stem + end + 1);
+    if (!other)
+        return log_fail_memory(stem + end + 1);
+    memcpy(other, *path, stem);
+    memcpy(other + stem, ends[rung], end + 1);
+    const bool exists = path_is_file(other);
+    free(exists ? *path : other);
+    *path = exists ? other : *path;
+    return EXIT_DONE;
+}
+
 /* Loads the file named by the parameter `name`; *there: true if the scene names a file. */
 static int load(asset_set *a, const scene_file *file, const char *name, void *into,
                 bool *there)
@@ -139,10 +160,12 @@ static int load(asset_set *a, const scene_file *file, const char *name, void *in
     if (!path)
         return log_fail_memory(sizeof text);
     scene_file_who(file, param, who, sizeof who);
-    const int code = param->kind == TP_PARAM_MESH ? assets_mesh(a, into, path, who,
-                                                              file->scene.boat.scale)
-                   : param->kind == TP_PARAM_GREY ? load_grey(a, into, path, who)
-                                                  : load_texture(a, into, path, who);
+    int code = param->kind == TP_PARAM_MESH ? choose_mesh(file, &path) : EXIT_DONE;
+    if (!code)
+        code = param->kind == TP_PARAM_MESH ? assets_mesh(a, into, path, who,
+                                                          file->scene.boat.scale)
+             : param->kind == TP_PARAM_GREY ? load_grey(a, into, path, who)
+                                            : load_texture(a, into, path, who);
     free(path);
     return code;
 }

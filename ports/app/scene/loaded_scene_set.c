@@ -99,6 +99,8 @@ static int take_change(loaded_scene *s, change *c)
     tp_error err = { 0 };
     c->result = setting_take(&tp_program_all, &s->file.scene, s->world, &s->assets.names,
                              c->param, &err);
+    if (c->result == SETTING_DONE && c->loaded)
+        c->result = SETTING_LOAD;       /* the world refers to the assets */
     return c->result == SETTING_REFUSED ? refuse_change(c, &err)
          : c->result == SETTING_DONE    ? EXIT_DONE : world_anew(s, c);
 }
@@ -109,7 +111,7 @@ static int try_change(loaded_scene *s, change *c, const loaded_scene_value *valu
     if (tp_param_set(&s->file.scene, c->param, value->text, strlen(value->text), &err))
         return refuse_change(c, &err);
     s->file.set_at[param_row(c->param)] = value->set_at;
-    int code = tp_param_is_file(c->param) ? load_anew(s, c) : check_assets(s, c);
+    int code = setting_names_files(c->param) ? load_anew(s, c) : check_assets(s, c);
     if (!code)
         code = plan_anew(s, c);
     return code ? code : take_change(s, c);

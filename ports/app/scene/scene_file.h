@@ -38,7 +38,7 @@ int  scene_file_find(scene_file *file, const char *given);
 void scene_file_report_old_names(const scene_file *file);
 
 /* Sets the rungs of all kinds and effects: "exact", "planned" (every rung left to the plan)
- * or "fast" (fast shading, and the cheapest rung of each effect). */
+ * or "fast" (fast shading, the middle mesh, and the cheapest rung of each other effect). */
 bool scene_file_knows_rung(const char *name);
 void scene_file_set_rung(scene_file *file, const char *name);
 

@@ -24,6 +24,13 @@ static int make_world(ref_stand *stand, uint32_t ticks)
     return EXIT_DONE;
 }
 
+/* The reference always draws the mesh that the scene names. */
+static int open_assets(ref_stand *stand)
+{
+    stand->file.scene.quality.mesh = TP_MESH_FULL;
+    return assets_open(&stand->assets, &stand->file);
+}
+
 int ref_stand_open(ref_stand *stand, const char *name, const char *const *settings,
                    uint32_t count, uint32_t ticks)
 {
@@ -32,7 +39,7 @@ int ref_stand_open(ref_stand *stand, const char *name, const char *const *settin
     for (uint32_t i = 0; i < count && !code; i++)
         code = scene_file_set(&stand->file, settings[i]);
     if (!code)
-        code = assets_open(&stand->assets, &stand->file);
+        code = open_assets(stand);
     return code ? code : make_world(stand, ticks);
 }
 
