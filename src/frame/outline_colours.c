@@ -71,10 +71,10 @@ static bool colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
     const ptrdiff_t plane = tile->s - tile->key;
     uint32_t *const key = tile->outline + row;
     const uint32_t *const front = tile->key + row;
-    const int32_t width = tile->x1 - tile->x0;
+    const int32_t width = tile->outline_x1 - tile->x0;
     bool any = false;
 
-    for (int32_t i = 0; (i = find_outline(key, i, width)) < width; ) {
+    for (int32_t i = tile->outline_x0 - tile->x0; (i = find_outline(key, i, width)) < width; ) {
         const int32_t x = tile->x0 + i, most = TP_RUN - x % TP_RUN;
         run->count = count_visible(&key[i], &front[i], most < width - i ? most : width - i);
         if (run->count == 0) {
@@ -104,7 +104,10 @@ static void blend(const tp_gbuffer *tile, tp_run *run)
                         + (uint32_t)(run->x - tile->x0);
     const uint32_t *colour = key + (tile->s - tile->key);
 
-    for (int32_t i = 0; (i = find_outline(key, i, run->count)) < run->count; i++)
+    const int32_t before = tile->outline_x0 - run->x, past = tile->outline_x1 - run->x,
+                  end = past < run->count ? past : run->count;
+
+    for (int32_t i = before > 0 ? before : 0; (i = find_outline(key, i, end)) < end; i++)
         run->colour[i] = tp_colour_mix(run->colour[i], colour[i], share_of_key(key[i]));
 }
 
@@ -113,9 +116,10 @@ static void blend_map_row(const tp_gbuffer *tile, int32_t y, uint32_t *to)
     const uint32_t *key =
         tile->outline + (size_t)(uint32_t)(y - tile->y0) * tile->stride;
     const uint32_t *colour = key + (tile->s - tile->key);
-    const int32_t width = tile->x1 - tile->x0;
+    const int32_t width = tile->outline_x1 - tile->x0;
 
-    for (int32_t i = 0; (i = find_outline(key, i, width)) < width; i++)
+    for (int32_t i = tile->outline_x0 - tile->x0;
+         (i = find_outline(key, i, width)) < width; i++)
         to[i] = tp_argb_mix(to[i], colour[i] | 0xff000000u, share_of_key(key[i]));
 }
 

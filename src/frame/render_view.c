@@ -133,7 +133,7 @@ tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map 
 
     return (tp_gbuffer){ map->x0, y0, map->x1, y1, store->cols, store->samples,
                          store->samples + plane, store->samples + 2 * plane,
-                         store->samples + 3 * plane, false, 0, NULL };
+                         store->samples + 3 * plane, false, 0, NULL, 0, 0 };
 }
 
 /* -- world and picture positions ----------------------------------------------------- */

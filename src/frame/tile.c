@@ -15,7 +15,7 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_ti
     uint32_t *at = scratch;
     tp_gbuffer samples = {
         (int32_t)tile->x0, (int32_t)tile->y0, (int32_t)tile->x1, (int32_t)tile->y1,
-        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL,
+        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL, 0, 0,
     };
 
     tp_frame_allow_outlines(frame, &samples);

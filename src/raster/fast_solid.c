@@ -3,16 +3,18 @@
  * lower price.
  *
  * Planes are set up in 32 bits.  s and t are affine and share a word, as do the two parts
- * of a vertex's light, so a pixel steps three words.  Triangles of a few pixels, and
- * slivers, take one depth, place and light for all pixels.
+ * of a vertex's light, so a pixel steps three words.  Triangles of a few pixels
+ * have one depth, place and light; slivers change along their length alone.
  *
- * Bits: both sides of a triangle's box are at most 2^10 in 28.4, so twice the area is below
- * 2^21. */
+ * Bits: both sides of the box are at most 2^10 in 28.4 where planes are set up, so twice
+ * the area is below 2^21. */
 #include "raster/tri.h"
 
 enum {
     LONGEST = 64 * 16,          /* side of the box, 28.4 */
-    SMALL   = 3 * 512,          /* twice the area, 28.4: 3 square px */
+    SMALL   = 3 * 512,          /* twice the area, 28.4: 3 square px; */
+    SHORT   = 6 * 16,           /* and the extent below it */
+    THIN    = 24,               /* twice the area of a sliver, by its length, 28.4 */
     REPEATS = 8 * 65536         /* of a texture along a triangle */
 };
 
@@ -26,7 +28,8 @@ typedef struct {
 typedef struct {
     const tp_gbuffer *tile;
     const tp_screen_vertex *a, *b, *c;
-    int32_t du1, dv1, du2, dv2, area;   /* ways from a to b and c; twice the area */
+    int32_t du1, dv1, du2, dv2; /* ways from a to b and c */
+    bool    long_left;          /* the edge from a to c is on the left */
     words   base, dx, dy;               /* from the pixel of a on */
     int32_t x_ref, y_ref, top, bottom;
     uint32_t mark;
@@ -77,9 +80,10 @@ TP_ALWAYS_INLINE plane light_plane(const triangle *t, int k)
                     64 * (t->c->n[k] - t->a->n[k]), 0, 0, 0 };
 }
 
-static void set_planes(triangle *t)
+/* `area`: twice the area, signed. */
+static void set_planes(triangle *t, int32_t area)
 {
-    const int32_t inverse = INT32_MAX / t->area;
+    const int32_t inverse = INT32_MAX / area;
     const uint32_t z = t->a->zi;
     plane zi = { (int32_t)z, (int32_t)(t->b->zi - z), (int32_t)(t->c->zi - z), 0, 0, 0 },
           s = { t->a->s, t->b->s - t->a->s, t->c->s - t->a->s, 0, 0, 0 },
@@ -110,6 +114,39 @@ static void set_means(triangle *t)
                        join((uint32_t)(a->s + s), (uint32_t)(a->t + r)),
                        join((uint32_t)lobe, (uint32_t)nl) };
     t->dx = t->dy = (words){ 0, 0, 0 };
+}
+
+/* Returns the step per pixel of a quantity that grows by d over a sliver; `inverse` is
+ * 2^31 / length. */
+static uint32_t step_along(uint32_t d, int32_t inverse)
+{
+    return (uint32_t)((int64_t)(int32_t)d * inverse >> 27);
+}
+
+/* Sets planes that change along the longer axis of a sliver alone, from one end to the
+ * other.  s and t may differ by any number of repeats. */
+static void set_along(triangle *t, bool level)
+{
+    const tp_screen_vertex *p = t->a, *q = t->c;
+
+    if (level) {
+        p = t->b->u < p->u ? t->b : p;
+        p = t->c->u < p->u ? t->c : p;
+        q = t->a->u > q->u ? t->a : q;
+        q = t->b->u > q->u ? t->b : q;
+    }
+    const int32_t inverse = INT32_MAX / (level ? q->u - p->u : q->v - p->v);
+    words *to = level ? &t->dx : &t->dy;
+    t->dx = t->dy = (words){ 0, 0, 0 };
+    *to = (words){ step_along(q->zi - p->zi, inverse),
+                   join(step_along((uint32_t)q->s - (uint32_t)p->s, inverse),
+                        step_along((uint32_t)q->t - (uint32_t)p->t, inverse)),
+                   join(step_along((uint32_t)(64 * (q->n[1] - p->n[1])), inverse),
+                        step_along((uint32_t)(64 * (q->n[0] - p->n[0])), inverse)) };
+    t->x_ref = p->u >> 4;
+    t->y_ref = p->v >> 4;
+    t->base = (words){ p->zi, join((uint32_t)p->s, (uint32_t)p->t),
+                       join((uint32_t)(64 * p->n[1]), (uint32_t)(64 * p->n[0])) };
 }
 
 /* -- pixels -------------------------------------------------------------------------- */
@@ -169,7 +206,7 @@ TP_ALWAYS_INLINE tp_edge fill_rows(const triangle *t, int32_t y, int32_t stop,
 {
     tp_edge_advance(&other, y);
     for (; y < stop; y++) {
-        if (t->area > 0)        /* is the long edge on the left? */
+        if (t->long_left)
             fill_row(t, y, along.pixel, other.pixel, outlined);
         else
             fill_row(t, y, other.pixel, along.pixel, outlined);
@@ -201,17 +238,32 @@ TP_ALWAYS_INLINE void fill_triangle(const triangle *t, int outlined)
 
 static bool is_below(int32_t a, int32_t b, int32_t c, int32_t most)
 {
-    return max3(a, b, c) - min3(a, b, c) < most;
+    return (int64_t)max3(a, b, c) - min3(a, b, c) < most;
 }
 
 /* True if affine s and t are within about 1.5 pixels, by the rule of tp_tri_begin. */
-static bool is_affine(uint32_t za, uint32_t zb, uint32_t zc, int32_t extent)
+static bool is_affine(const tp_screen_vertex *a, const tp_screen_vertex *b,
+                      const tp_screen_vertex *c, int32_t extent)
 {
-    const int32_t low = min3((int32_t)za, (int32_t)zb, (int32_t)zc),
-                  high = max3((int32_t)za, (int32_t)zb, (int32_t)zc);
+    const int32_t za = (int32_t)a->zi, zb = (int32_t)b->zi, zc = (int32_t)c->zi,
+                  low = min3(za, zb, zc), high = max3(za, zb, zc);
 
-    return (uint64_t)(uint32_t)(high - low) * (uint32_t)((extent >> 4) + 1)
-           <= 6 * (uint64_t)(uint32_t)low;
+    return is_below(a->s, b->s, c->s, REPEATS) && is_below(a->t, b->t, c->t, REPEATS)
+           && (uint64_t)(uint32_t)(high - low) * (uint32_t)((extent >> 4) + 1)
+              <= 6 * (uint64_t)(uint32_t)low;
+}
+
+/* Sorts the vertices of a front side by row. */
+static void sort(triangle *t, const tp_screen_vertex *a, const tp_screen_vertex *b,
+                 const tp_screen_vertex *c)
+{
+    tp_tri sorted;
+
+    t->long_left = sort_by_row_flips_winding(&sorted, a, b, c);
+    t->a = sorted.a, t->b = sorted.b, t->c = sorted.c;
+    t->du1 = t->b->u - t->a->u, t->dv1 = t->b->v - t->a->v;
+    t->du2 = t->c->u - t->a->u, t->dv2 = t->c->v - t->a->v;
+    t->x_ref = t->a->u >> 4, t->y_ref = t->a->v >> 4;
 }
 
 bool tp_tri_solid_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
@@ -219,33 +271,28 @@ bool tp_tri_solid_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
 {
     const int32_t left = min3(a->u, b->u, c->u), right = max3(a->u, b->u, c->u),
                   above = min3(a->v, b->v, c->v), below = max3(a->v, b->v, c->v),
-                  wide = right - left, high = below - above;
+                  wide = right - left, high = below - above,
+                  extent = wide > high ? wide : high;
     const int32_t top = tp_first_centre(above), bottom = tp_first_centre(below);
-
-    if (wide > LONGEST || high > LONGEST || !is_below(a->s, b->s, c->s, REPEATS)
-        || !is_below(a->t, b->t, c->t, REPEATS)
-        || !is_affine(a->zi, b->zi, c->zi, wide > high ? wide : high))
-        return false;
-    triangle t = { .tile = tile, .mark = mark,
-                   .top = top > tile->y0 ? top : tile->y0,
+    triangle t = { .tile = tile, .mark = mark, .top = top > tile->y0 ? top : tile->y0,
                    .bottom = bottom < tile->y1 ? bottom : tile->y1 };
+
     if (t.top >= t.bottom || tp_first_centre(right) <= tile->x0
         || tp_first_centre(left) >= tile->x1)
         return true;
-    if (tp_tri_twice_area(a, b, c) >= 0)
+    const int64_t area = -tp_tri_twice_area(a, b, c);
+    if (area <= 0)
         return true;
-    tp_tri sorted;
-    sort_by_row_flips_winding(&sorted, a, b, c);
-    t.a = sorted.a, t.b = sorted.b, t.c = sorted.c;
-    t.du1 = t.b->u - t.a->u, t.dv1 = t.b->v - t.a->v;
-    t.du2 = t.c->u - t.a->u, t.dv2 = t.c->v - t.a->v;
-    t.area = t.du1 * t.dv2 - t.du2 * t.dv1;
-    t.x_ref = t.a->u >> 4, t.y_ref = t.a->v >> 4;
-    const int32_t size = tp_abs(t.area);
-    if (size < SMALL || size < 16 * (wide > high ? wide : high))
+    const bool sliver = area < (int64_t)THIN * extent;
+    if (!sliver && (extent > LONGEST || !is_affine(a, b, c, extent)))
+        return false;
+    sort(&t, a, b, c);
+    if (area < SMALL && extent < SHORT)
         set_means(&t);
+    else if (sliver)
+        set_along(&t, wide > high);
     else
-        set_planes(&t);
+        set_planes(&t, (int32_t)(t.long_left ? area : -area));
     if (tile->outline)
         fill_triangle(&t, 1);
     else

@@ -16,17 +16,30 @@ typedef struct {
     uint32_t inverse;           /* 2^31 / length */
 } outline;
 
-static int64_t lerp(int64_t a, int64_t b, int32_t share_q16)
+/* Interpolates between values with a difference below 2^31; share is Q16, below 1. */
+static int32_t lerp(int32_t a, int32_t b, int32_t share)
 {
-    return a + ((b - a) * share_q16 >> 16);
+    return a + (int32_t)((int64_t)(b - a) * share >> 16);
 }
 
+/* Interpolates 16-bit halves of texture positions modulo 1: the low 32 bits of the product
+ * suffice. */
+static uint32_t lerp_st(const outline *o, uint32_t share)
+{
+    const uint32_t s = ((uint32_t)o->b->s - (uint32_t)o->a->s) * share >> 16,
+                   t = ((uint32_t)o->b->t - (uint32_t)o->a->t) * share >> 16;
+
+    return ((uint32_t)o->a->s + s) << 16 | (((uint32_t)o->a->t + t) & 0xffff);
+}
+
+/* Components have 10 bits, so products fit 32. */
 static uint32_t lerp_normal(const outline *o, int32_t share)
 {
     uint32_t n = 0;
 
     for (int k = 0; k < 3; k++)
-        n |= ((uint32_t)lerp(o->a->n[k], o->b->n[k], share) & 1023) << 10 * k;
+        n |= ((uint32_t)(o->a->n[k] + ((o->b->n[k] - o->a->n[k]) * share >> 16)) & 1023)
+             << 10 * k;
     return n;
 }
 
@@ -44,7 +57,7 @@ static void draw_pixel(const tp_gbuffer *tile, const outline *o, uint32_t *at,
                        int32_t along, int32_t share, uint32_t mark, uint32_t face)
 {
     const ptrdiff_t plane = tile->s - tile->key;
-    const uint32_t zi = (uint32_t)lerp(o->a->zi, o->b->zi, along);
+    const uint32_t zi = (uint32_t)lerp((int32_t)o->a->zi, (int32_t)o->b->zi, along);
     const uint32_t depth = zi << 1 & ~(uint32_t)0xff, old = at[0] & ~(uint32_t)0xff;
     const uint32_t wide = old >> tile->outline_shift;
     const int32_t signed_share = o->after ? share : -share;
@@ -58,28 +71,18 @@ static void draw_pixel(const tp_gbuffer *tile, const outline *o, uint32_t *at,
     if (at[0] && depth <= old)
         return;
     at[0] = depth | mark;
-    at[plane] = (uint32_t)lerp(o->a->s, o->b->s, along) << 16
-              | ((uint32_t)lerp(o->a->t, o->b->t, along) & 0xffff);
+    at[plane] = lerp_st(o, (uint32_t)along);
     at[2 * plane] = add_to_sum(face | out, o->level, signed_share);
     at[3 * plane] = lerp_normal(o, along);
 }
 
-/* Returns where the edge crosses the centre of row or column i of the other axis, 1/256
- * px; *along is set to the share of the edge, Q16. */
-static int32_t cross(const outline *o, int32_t i, int32_t *along)
+/* Draws the edge where it crosses the centre of row or column i; `along`: the share of the
+ * edge, Q16. */
+static void draw_crossing(const tp_gbuffer *tile, const outline *o, int32_t i,
+                          int32_t along, uint32_t mark, uint32_t face)
 {
     const int32_t a = o->level ? o->a->v : o->a->u, b = o->level ? o->b->v : o->b->u;
-
-    *along = (int32_t)((uint32_t)(16 * i + 8 - o->from) * o->inverse >> 15);
-    return (int32_t)lerp(16 * a, 16 * b, *along);
-}
-
-/* Draws the edge where it crosses the centre of row or column i. */
-static void draw_crossing(const tp_gbuffer *tile, const outline *o, int32_t i,
-                          uint32_t mark, uint32_t face)
-{
-    int32_t along;
-    const int32_t at = cross(o, i, &along), x = o->level ? i : at >> 8,
+    const int32_t at = lerp(16 * a, 16 * b, along), x = o->level ? i : at >> 8,
                   y = o->level ? at >> 8 : i;
 
     if (x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1)
@@ -106,15 +109,18 @@ void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
     if (first >= end)
         return;
     o.inverse = 0x7fffffffu / (uint32_t)o.length;
-    for (; first < end; first++)
-        draw_crossing(tile, &o, first, mark, face);
+    uint32_t along = (uint32_t)(16 * first + 8 - o.from) * o.inverse;
+    for (; first < end; first++, along += 16 * o.inverse)
+        draw_crossing(tile, &o, first, (int32_t)(along >> 15), mark, face);
 }
 
-void tp_outline_begin(tp_gbuffer *tile)
+void tp_outline_begin(tp_gbuffer *tile, int32_t x0, int32_t x1)
 {
     const uint32_t rows = (uint32_t)(tile->y1 - tile->y0);
 
     tile->outline = tile->key + 4 * (tile->s - tile->key);
+    tile->outline_x0 = x0 > tile->x0 ? x0 : tile->x0;
+    tile->outline_x1 = x1 < tile->x1 ? x1 + 1 : tile->x1;
     memset(tile->outline, 0, (size_t)rows * tile->stride * sizeof *tile->outline);
 }
 

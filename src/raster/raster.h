@@ -110,6 +110,7 @@ typedef struct {
     uint8_t   outline_shift;    /* see tp_outline_draw_edge; 0: no memory for the layer */
     uint32_t *outline;          /* a second layer of four planes, at the same distances:
                                  * samples of outlines, key 0 elsewhere; NULL: none */
+    int32_t   outline_x0, outline_x1;   /* columns that may have outlines, if there is one */
 } tp_gbuffer;
 
 void tp_gbuffer_clear(const tp_gbuffer *tile);
@@ -165,8 +166,9 @@ static inline uint8_t tp_outline_shift(int32_t focal_28_4)
     return (uint8_t)(log2 > 4 ? log2 - 3 : 1);
 }
 
-/* Begins the tile's outlines: none yet.  The layer lies right behind the four planes. */
-void tp_outline_begin(tp_gbuffer *tile);
+/* Begins the tile's outlines: none yet.  The layer lies right behind the four planes.  All
+ * edges will be between the columns x0 and x1, x1 included. */
+void tp_outline_begin(tp_gbuffer *tile, int32_t x0, int32_t x1);
 
 /* Draws the edge from a to b of a front face; both in the order of the face.  Samples of
  * the same material within depth / 2^(outline_shift) belong to the same outline. */

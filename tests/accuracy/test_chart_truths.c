@@ -63,7 +63,7 @@ static tp_screen_vertex  corner[3];
 static tp_gbuffer tile_of(int i)
 {
     return (tp_gbuffer){ 0, 0, WIDTH, HEIGHT, WIDTH, plane[i][0], plane[i][1],
-                         plane[i][2], plane[i][3], false, 0, NULL };
+                         plane[i][2], plane[i][3], false, 0, NULL, 0, 0 };
 }
 
 /* Random large triangle, up to four times as deep at one vertex as at another: the

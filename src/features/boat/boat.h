@@ -164,7 +164,7 @@ typedef struct tp_boat_outlines {
                  const tp_boat_vertex *vertex, int32_t focal);
     void (*draw)(const struct tp_boat_outlines *o, const tp_boat_view *b,
                  const tp_boat_faces *faces, const tp_boat_vertex *vertex,
-                 tp_gbuffer *tile, uint32_t mark);
+                 const tp_grid_box *box, tp_gbuffer *tile, uint32_t mark);
     const tp_mesh *mesh;
     uint32_t *neighbour;        /* of each face's three edges, or none */
     uint8_t  *edges;            /* of each face: bit k: edge k is an outline */

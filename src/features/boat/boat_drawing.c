@@ -207,7 +207,7 @@ static void draw_outlines(const tp_frame *frame, const drawn_boat *b, tp_gbuffer
     const tp_boat_outlines *o = tp_frame_module_memory(frame, TP_OUTLINES_ID);
 
     if (o && samples->outline_shift)
-        o->draw(o, &b->view, &b->faces, b->vertex, samples, mark);
+        o->draw(o, &b->view, &b->faces, b->vertex, &b->box, samples, mark);
 }
 
 static void draw(const tp_frame *frame, const void *mine, const tp_view *view,

@@ -277,11 +277,11 @@ static void draw_edges(const tp_boat_outlines *o, const tp_boat_view *view,
 /* Draws the outline into a tile, before the faces. */
 static void draw_outline(const tp_boat_outlines *o, const tp_boat_view *view,
                          const tp_boat_faces *faces, const tp_boat_vertex *vertex,
-                         tp_gbuffer *tile, uint32_t mark)
+                         const tp_grid_box *box, tp_gbuffer *tile, uint32_t mark)
 {
     const tp_boat_rows rows = tp_boat_rows_find(faces, tile);
 
-    tp_outline_begin(tile);
+    tp_outline_begin(tile, box->x0, box->x1);
     for (uint32_t i = 0;
          (i = tp_boat_faces_next(faces, i, faces->count, rows, TP_FACE_EDGED))
          < faces->count; i++) {

@@ -178,13 +178,16 @@ TP_ALWAYS_INLINE uint32_t texel_at(const texels *p, uint32_t st)
     return p->texel[(st & 0xffff) >> p->down_t << p->log2_w | st >> 16 >> p->down_s];
 }
 
+/* Bits of the light that count: 128 steps of N.L, 64 of the lobe's cosine. */
+#define STEPS (0x3fcu | 0xfe000u)
+
 void tp_stage_solid_fast(const tp_shade *shade, tp_run *run)
 {
     const tp_boat_shading *shading = run->mine;
     const tp_solid *solid = &shading->solid[run->material];
     const tp_texture *picture = solid->diffuse_map;
     const uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
-    uint32_t light = ~run->n[0];
+    uint32_t light = ~(uint32_t)0;
     light_factors f = { 0, 0, 0, 0 };
 
     for (int32_t i = 0; i < run->count; ) {
@@ -193,8 +196,8 @@ void tp_stage_solid_fast(const tp_shade *shade, tp_run *run)
             picture,
             picture ? tp_mip_level_choose(solid->lod, depth, false, picture->levels) : 0);
         for (; i < stop; i++) {
-            if (run->n[i] != light) {
-                light = run->n[i];
+            if ((run->n[i] & STEPS) != light) {
+                light = run->n[i] & STEPS;
                 f = find_factors(shade, solid, shine, light);
             }
             run->colour[i] = light_texel(texel_at(&block, run->s[i]), &f);
