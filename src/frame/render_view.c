@@ -136,6 +136,21 @@ tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map 
                          store->samples + 3 * plane, false, 0, NULL, 0, 0 };
 }
 
+/* Of `left` rows those above the band take left - rows, and its planes at most as much. */
+tp_gbuffer tp_planar_tall_gbuffer(const tp_planar_memory *store, const tp_planar_map *map,
+                                  int32_t y0, uint32_t planes)
+{
+    const uint32_t wide = (uint32_t)(map->x1 - map->x0), left = (uint32_t)(map->y1 - y0),
+                   rows = left / (planes + 1);
+    const size_t plane = (size_t)wide * rows;
+    uint32_t *key = store->colour;
+
+    if (rows <= TP_PLANAR_BAND)
+        return tp_planar_gbuffer(store, map, y0);
+    return (tp_gbuffer){ map->x0, y0, map->x1, y0 + (int32_t)rows, wide, key, key + plane,
+                         key + 2 * plane, key + 3 * plane, false, 0, NULL, 0, 0 };
+}
+
 /* -- world and picture positions ----------------------------------------------------- */
 
 /* Component of a position relative to the eye along an axis of the view, m, Q30.

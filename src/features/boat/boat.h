@@ -149,9 +149,10 @@ static inline uint32_t tp_boat_face_number(const tp_boat_faces *faces, uint32_t 
     return entry >> (3 + 2 * faces->row_bits);
 }
 
-/* Lights the vertices of the listed faces; `light` has an entry for each vertex of the
- * mesh. */
-void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, bool blinn,
+/* Lights the vertices of the listed faces, by the lobe of a light model or without one;
+ * `light` has an entry for each vertex of the mesh. */
+typedef enum { TP_BOAT_PHONG, TP_BOAT_BLINN, TP_BOAT_MATT } tp_boat_lobe;
+void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, tp_boat_lobe lobe,
                          const tp_boat_faces *faces, tp_packed_dir *light);
 
 /* Bits of tp_boat_outlines.edges besides 1, 2, 4 for the three edges. */

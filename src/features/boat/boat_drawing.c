@@ -102,8 +102,11 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     list_faces(frame, b, view);
     b->view.light = b->fast ? b->light : NULL;
     if (b->fast)
-        tp_boat_light_faces(&b->view, &b->look.axes, b->model == TP_LIGHT_BLINN, &b->faces,
-                            b->light);
+        tp_boat_light_faces(&b->view, &b->look.axes,
+                            !view->picture                ? TP_BOAT_MATT
+                            : b->model == TP_LIGHT_BLINN ? TP_BOAT_BLINN
+                                                         : TP_BOAT_PHONG,
+                            &b->faces, b->light);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;

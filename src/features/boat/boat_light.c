@@ -15,7 +15,7 @@
 typedef struct {
     const tp_boat_view *view;
     const tp_view_axes *axes;
-    int                 blinn;
+    tp_boat_lobe        lobe;
 } lights;
 
 /* Returns the unit vector from a vertex to the eye, Q1.14, within 1/256: its components
@@ -44,12 +44,15 @@ static tp_packed_dir find_light(const lights *l, const tp_mesh_vertex *vertex)
     const tp_view_axes *axes = l->axes;
     const int32_t x = tp_dir_x(vertex->normal), y = tp_dir_y(vertex->normal),
                   z = tp_dir_z(vertex->normal);
-    const tp_vec_q14 v = find_way_to_eye(l->view, vertex->position);
     const int32_t nl = tp_clamp((x * axes->lx + y * axes->ly + z * axes->lz) >> 14, -MOST,
-                                MOST),
-                  nv = (x * v.x + y * v.y + z * v.z) >> 9,
-                  lv = (axes->lx * v.x + axes->ly * v.y + axes->lz * v.z) >> 14;
-    const int32_t lobe = tp_lobe_table_cosine(32 * nl, nv, lv, l->blinn);
+                                MOST);
+
+    if (l->lobe == TP_BOAT_MATT || nl <= 0)
+        return ((uint32_t)nl & 1023) | ((uint32_t)-MOST & 1023) << 10;
+    const tp_vec_q14 v = find_way_to_eye(l->view, vertex->position);
+    const int32_t nv = (x * v.x + y * v.y + z * v.z) >> 9,
+                  lv = (axes->lx * v.x + axes->ly * v.y + axes->lz * v.z) >> 14,
+                  lobe = tp_lobe_table_cosine(32 * nl, nv, lv, l->lobe == TP_BOAT_BLINN);
 
     return ((uint32_t)nl & 1023) | ((uint32_t)tp_clamp(lobe >> 5, -MOST, MOST) & 1023) << 10;
 }
@@ -68,10 +71,10 @@ static void light_faces(const lights *l, const tp_boat_faces *faces, uint32_t fi
     }
 }
 
-void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, bool blinn,
+void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, tp_boat_lobe lobe,
                          const tp_boat_faces *faces, tp_packed_dir *light)
 {
-    const lights l = { b, axes, blinn };
+    const lights l = { b, axes, lobe };
 
     for (uint32_t i = 0; i < b->mesh->n_vertices; i++)
         light[i] = UNLIT;

@@ -19,6 +19,7 @@ typedef struct {
     tp_mirror        look;      /* data of the stage; first member */
     tp_mirrored_zi  *zi;        /* array, one for each column */
     tp_planar_memory store;
+    bool             outlined;  /* the band has memory for outlines */
 } mirror;
 
 /* Updates the columns' depths by row y of a band. */
@@ -98,6 +99,20 @@ static void set_bending(const tp_frame *frame, tp_mirror *to, tp_fx level)
         (int64_t)(frame->projection.eye.y - level) * 4096 / frame->projection.zi_near;
 }
 
+/* Returns the next band, with the layer of outlines unless objects are fast: waves bend
+ * the reflection by more than an outline smooths. */
+static tp_gbuffer begin_band(const tp_frame *frame, const mirror *m, int32_t y0)
+{
+    const bool outlined = m->outlined && frame->outlined
+                          && frame->scene->quality.objects != TP_RUNG_FAST;
+    tp_gbuffer band = tp_planar_tall_gbuffer(&m->store, &m->look.map, y0, outlined ? 8 : 4);
+
+    tp_gbuffer_clear(&band);
+    if (outlined)
+        tp_frame_allow_outlines(frame, &band);
+    return band;
+}
+
 static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
 {
     const tp_planar_memory *store = &m->store;
@@ -105,16 +120,15 @@ static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
     uint32_t wide = (uint32_t)(map->x1 - map->x0);
 
     memset(m->zi, 0, wide * sizeof *m->zi);
-    for (int32_t y0 = map->y0; y0 < map->y1; y0 += TP_PLANAR_BAND) {
-        tp_gbuffer band = tp_planar_gbuffer(store, map, y0);
-        tp_gbuffer_clear(&band);
-        tp_frame_allow_outlines(frame, &band);
+    for (int32_t y0 = map->y0; y0 < map->y1; ) {
+        tp_gbuffer band = begin_band(frame, m, y0);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             tp_frame_colour_row(frame, &band, y,
                                 store->colour + (uint32_t)(map->y1 - 1 - y) * wide);
             update_column_depths(m->zi, &band, y);
         }
+        y0 = band.y1;
     }
     fill_gaps(m->zi, wide);
 }
@@ -164,7 +178,9 @@ static void *layout_mirror(tp_arena *arena, const tp_module_conditions *conditio
     mirror *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .look.bend = 0 };
 
     tp_planar_layout(&made.store, arena, conditions, count_halvings(conditions));
-    if (tp_has_outlines(conditions->scene))     /* right behind the band's samples */
+    made.outlined = tp_has_outlines(conditions->scene)
+                    && conditions->scene->quality.objects != TP_RUNG_FAST;
+    if (made.outlined)          /* right behind the band's samples */
         tp_arena_alloc(arena, (size_t)made.store.cols * TP_PLANAR_BAND,
                        4 * sizeof *made.store.samples);
     made.look.zi = made.zi = tp_arena_alloc(arena, made.store.cols, sizeof *made.zi);
