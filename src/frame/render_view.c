@@ -136,14 +136,18 @@ tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map 
                          store->samples + 3 * plane, false, 0, NULL, 0, 0 };
 }
 
-/* Of `left` rows those above the band take left - rows, and its planes at most as much. */
+/* The words past the map's box are free; so are, of `left` rows, those that come after the
+ * band: left - rows, of which its planes take at most all. */
 tp_gbuffer tp_planar_tall_gbuffer(const tp_planar_memory *store, const tp_planar_map *map,
                                   int32_t y0, uint32_t planes)
 {
     const uint32_t wide = (uint32_t)(map->x1 - map->x0), left = (uint32_t)(map->y1 - y0),
-                   rows = left / (planes + 1);
+                   used = wide * (uint32_t)(map->y1 - map->y0),
+                   past = (store->cols * store->rows - used) / (planes * wide),
+                   before = left / (planes + 1), most = past > before ? past : before,
+                   rows = most < left ? most : left;
     const size_t plane = (size_t)wide * rows;
-    uint32_t *key = store->colour;
+    uint32_t *key = store->colour + (past > before ? used : 0);
 
     if (rows <= TP_PLANAR_BAND)
         return tp_planar_gbuffer(store, map, y0);

@@ -12,8 +12,8 @@
 
 enum {
     LONGEST = 64 * 16,          /* side of the box, 28.4 */
-    SMALL   = 3 * 512,          /* twice the area, 28.4: 3 square px; */
-    SHORT   = 6 * 16,           /* and the extent below it */
+    SHORT   = 8 * 16,           /* side of the box of a small triangle, 28.4, */
+    CENTRES = 9,                /* and number of pixels in it */
     THIN    = 24,               /* twice the area of a sliver, by its length, 28.4 */
     REPEATS = 8 * 65536         /* of a texture along a triangle */
 };
@@ -33,6 +33,8 @@ typedef struct {
     words   base, dx, dy;               /* from the pixel of a on */
     int32_t x_ref, y_ref, top, bottom;
     uint32_t mark;
+    ptrdiff_t to_s, to_n, to_outline;   /* from a key to words of the other planes */
+    int     window;             /* see tp_gbuffer.outline_shift */
 } triangle;
 
 static int32_t min3(int32_t a, int32_t b, int32_t c)
@@ -160,24 +162,24 @@ TP_ALWAYS_INLINE uint32_t pack_light(uint32_t light)
 TP_ALWAYS_INLINE void fill(const triangle *t, uint32_t *key, int32_t count, words now,
                            int outlined)
 {
-    const ptrdiff_t s = t->tile->s - t->tile->key, n = t->tile->n - t->tile->key,
-                    outline = outlined ? t->tile->outline - t->tile->key : 0;
+    const ptrdiff_t s = t->to_s, n = t->to_n, outline = t->to_outline;
+    const words step = t->dx;
+    const uint32_t mark = t->mark;
 
     for (uint32_t *end = key + count; key < end; key++) {
         const uint32_t depth = now.zi << 1 & ~(uint32_t)0xff;
         if (depth > (*key | 0xff)) {
-            if (outlined && tp_is_of_outline(key + outline, s, t->mark,
-                                             t->tile->outline_shift, depth)) {
+            if (outlined && tp_is_of_outline(key + outline, s, mark, t->window, depth)) {
                 key[outline + n] |= TP_OUTLINE_HIT;
             } else {
-                key[0] = depth | t->mark;
+                key[0] = depth | mark;
                 key[s] = now.st;
                 key[n] = pack_light(now.light);
             }
         }
-        now.zi += t->dx.zi;
-        now.st += t->dx.st;
-        now.light += t->dx.light;
+        now.zi += step.zi;
+        now.st += step.st;
+        now.light += step.light;
     }
 }
 
@@ -234,6 +236,54 @@ TP_ALWAYS_INLINE void fill_triangle(const triangle *t, int outlined)
         fill_rows(t, y, t->bottom, along, tp_edge_begin(b->u, b->v, c->u, c->v), outlined);
 }
 
+/* -- triangles of a few pixels ------------------------------------------------------- */
+
+/* The pixels of a box that may be covered, clipped to the tile. */
+typedef struct {
+    int32_t x0, y0, x1, y1;
+} pixels;
+
+/* Twice the area between an edge and a pixel's centre: not negative inside.  A centre on
+ * the edge belongs to the triangle on its right, or below. */
+typedef struct {
+    int32_t at, dx, dy;
+} side;
+
+/* Coordinates are within 2^8 of the box's corner, so products are below 2^18. */
+TP_ALWAYS_INLINE side make_side(const tp_screen_vertex *p, const tp_screen_vertex *q,
+                                int32_t x, int32_t y)
+{
+    const int32_t du = q->u - p->u, dv = q->v - p->v;
+    const bool open = dv > 0 || (dv == 0 && du < 0);
+
+    return (side){ du * (16 * y + 8 - p->v) - dv * (16 * x + 8 - p->u) - open, -16 * dv,
+                   16 * du };
+}
+
+TP_ALWAYS_INLINE void fill_box(const triangle *t, const pixels *box, int outlined)
+{
+    const tp_gbuffer *tile = t->tile;
+    uint32_t *row = tile->key + (size_t)(uint32_t)(box->y0 - tile->y0) * tile->stride
+                  + (uint32_t)(box->x0 - tile->x0);
+    side ac = make_side(t->a, t->c, box->x0, box->y0),
+         cb = make_side(t->c, t->b, box->x0, box->y0),
+         ba = make_side(t->b, t->a, box->x0, box->y0);
+
+    for (int32_t y = box->y0; y < box->y1; y++, row += tile->stride) {
+        int32_t e = ac.at, f = cb.at, g = ba.at;
+        for (int32_t i = 0; i < box->x1 - box->x0; i++) {
+            if ((e | f | g) >= 0)
+                fill(t, row + i, 1, t->base, outlined);
+            e += ac.dx;
+            f += cb.dx;
+            g += ba.dx;
+        }
+        ac.at += ac.dy;
+        cb.at += cb.dy;
+        ba.at += ba.dy;
+    }
+}
+
 /* -- the triangle -------------------------------------------------------------------- */
 
 static bool is_below(int32_t a, int32_t b, int32_t c, int32_t most)
@@ -266,6 +316,28 @@ static void sort(triangle *t, const tp_screen_vertex *a, const tp_screen_vertex 
     t->x_ref = t->a->u >> 4, t->y_ref = t->a->v >> 4;
 }
 
+static void draw_small(triangle *t, const pixels *box)
+{
+    set_means(t);
+    if (t->tile->outline)
+        fill_box(t, box, 1);
+    else
+        fill_box(t, box, 0);
+}
+
+static void draw_large(triangle *t, int64_t area, int32_t wide, int32_t high)
+{
+    sort(t, t->a, t->b, t->c);
+    if (area < (int64_t)THIN * (wide > high ? wide : high))
+        set_along(t, wide > high);
+    else
+        set_planes(t, (int32_t)(t->long_left ? area : -area));
+    if (t->tile->outline)
+        fill_triangle(t, 1);
+    else
+        fill_triangle(t, 0);
+}
+
 bool tp_tri_solid_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
                        const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark)
 {
@@ -273,29 +345,31 @@ bool tp_tri_solid_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
                   above = min3(a->v, b->v, c->v), below = max3(a->v, b->v, c->v),
                   wide = right - left, high = below - above,
                   extent = wide > high ? wide : high;
-    const int32_t top = tp_first_centre(above), bottom = tp_first_centre(below);
-    triangle t = { .tile = tile, .mark = mark, .top = top > tile->y0 ? top : tile->y0,
-                   .bottom = bottom < tile->y1 ? bottom : tile->y1 };
+    const pixels box = { tp_first_centre(left), tp_first_centre(above),
+                         tp_first_centre(right), tp_first_centre(below) };
+    const pixels seen = { box.x0 > tile->x0 ? box.x0 : tile->x0,
+                          box.y0 > tile->y0 ? box.y0 : tile->y0,
+                          box.x1 < tile->x1 ? box.x1 : tile->x1,
+                          box.y1 < tile->y1 ? box.y1 : tile->y1 };
 
-    if (t.top >= t.bottom || tp_first_centre(right) <= tile->x0
-        || tp_first_centre(left) >= tile->x1)
+    if (seen.x0 >= seen.x1 || seen.y0 >= seen.y1)
         return true;
     const int64_t area = -tp_tri_twice_area(a, b, c);
     if (area <= 0)
         return true;
-    const bool sliver = area < (int64_t)THIN * extent;
-    if (!sliver && (extent > LONGEST || !is_affine(a, b, c, extent)))
+    triangle t;
+    t.tile = tile, t.mark = mark, t.window = tile->outline_shift;
+    t.a = a, t.b = b, t.c = c;
+    t.top = seen.y0, t.bottom = seen.y1;
+    t.to_s = tile->s - tile->key, t.to_n = tile->n - tile->key;
+    t.to_outline = tile->outline ? tile->outline - tile->key : 0;
+    if (extent <= SHORT && (box.x1 - box.x0) * (box.y1 - box.y0) <= CENTRES) {
+        draw_small(&t, &seen);
+        return true;
+    }
+    if (area >= (int64_t)THIN * extent
+        && (extent > LONGEST || !is_affine(a, b, c, extent)))
         return false;
-    sort(&t, a, b, c);
-    if (area < SMALL && extent < SHORT)
-        set_means(&t);
-    else if (sliver)
-        set_along(&t, wide > high);
-    else
-        set_planes(&t, (int32_t)(t.long_left ? area : -area));
-    if (tile->outline)
-        fill_triangle(&t, 1);
-    else
-        fill_triangle(&t, 0);
+    draw_large(&t, area, wide, high);
     return true;
 }
