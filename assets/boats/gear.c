@@ -64,7 +64,7 @@ static void shield_back(mesh *m, const stand *s, int smoothing)
         mesh_triangle(m, centre, rim[(i + 1) % RIM], rim[i], smoothing);
 }
 
-/* A flat shield: its front, or the boards of its inner side, turned round. */
+/* A flat shield: its front, or the boards of its inner side. */
 static void flat_shield(mesh *m, const stand *s, int design, bool front)
 {
     const double reach = .234;

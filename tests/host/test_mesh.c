@@ -223,6 +223,41 @@ static void an_obj_that_cannot_be_read_is_refused(void **state)
                         " directory\n");
 }
 
+/* Opens the scene at a rung of quality.mesh; returns the number of the mesh's faces. */
+static uint32_t count_faces_at(const char *mesh, const char *rung)
+{
+    char setting[64];
+    scene_file scene;
+    asset_set a;
+    snprintf(setting, sizeof setting, "boat.mesh=%s", mesh);
+    assert_int_equal(scene_file_open(&scene, "./case.ini"), EXIT_DONE);
+    assert_int_equal(scene_file_set(&scene, setting), EXIT_DONE);
+    snprintf(setting, sizeof setting, "quality.mesh=%s", rung);
+    assert_int_equal(scene_file_set(&scene, setting), EXIT_DONE);
+    assert_int_equal(assets_open(&a, &scene), EXIT_DONE);
+    const uint32_t count = a.boat.n_faces;
+    assets_close(&a);
+    scene_file_close(&scene);
+    return count;
+}
+
+static void the_rung_of_the_mesh_chooses_the_file_beside_it(void **state)
+{
+    (void)state;
+    const char *const two = CORNERS FACE FACE, *const one = CORNERS FACE;
+    write_mesh(CORNERS FACE FACE FACE, NULL);
+    write_text("boat-mid.obj", two, strlen(two));
+    assert_int_equal(count_faces_at("boat.obj", "auto"), 3);
+    assert_int_equal(count_faces_at("boat.obj", "full"), 3);
+    assert_int_equal(count_faces_at("boat.obj", "middle"), 2);
+    assert_int_equal(count_faces_at("boat.obj", "low"), 3);     /* there is none */
+    write_text("boat-low.obj", one, strlen(one));
+    assert_int_equal(count_faces_at("boat.obj", "low"), 1);
+    assert_int_equal(count_faces_at("boat-low.obj", "middle"), 1);
+    remove("boat-mid.obj");
+    remove("boat-low.obj");
+}
+
 static int leave_meshes(void **state)
 {
     remove("boat.obj");
@@ -243,6 +278,7 @@ int main(void)
         cmocka_unit_test(a_mesh_too_large_for_its_scale_is_told_one_that_fits),
         cmocka_unit_test(of_very_many_warnings_the_first_are_said),
         cmocka_unit_test(an_obj_that_cannot_be_read_is_refused),
+        cmocka_unit_test(the_rung_of_the_mesh_chooses_the_file_beside_it),
     };
     return cmocka_run_group_tests_name("mesh", tests, enter, leave_meshes);
 }

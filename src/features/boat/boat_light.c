@@ -47,12 +47,13 @@ static tp_packed_dir find_light(const lights *l, const tp_mesh_vertex *vertex)
     const int32_t nl = tp_clamp((x * axes->lx + y * axes->ly + z * axes->lz) >> 14, -MOST,
                                 MOST);
 
-    if (l->lobe == TP_BOAT_MATT || nl <= 0)
+    if (l->lobe == TP_BOAT_MATT)
         return ((uint32_t)nl & 1023) | ((uint32_t)-MOST & 1023) << 10;
     const tp_vec_q14 v = find_way_to_eye(l->view, vertex->position);
     const int32_t nv = (x * v.x + y * v.y + z * v.z) >> 9,
                   lv = (axes->lx * v.x + axes->ly * v.y + axes->lz * v.z) >> 14,
-                  lobe = tp_lobe_table_cosine(32 * nl, nv, lv, l->lobe == TP_BOAT_BLINN);
+                  lobe = tp_lobe_table_cosine(nl > 0 ? 32 * nl : 0, nv, lv,
+                                              l->lobe == TP_BOAT_BLINN);
 
     return ((uint32_t)nl & 1023) | ((uint32_t)tp_clamp(lobe >> 5, -MOST, MOST) & 1023) << 10;
 }
