@@ -158,7 +158,7 @@ static void oars(mesh *m, ship_detail detail)
         { .79, .022, .105 },
         { 1, .014, .135 },
     };
-    static const oar_key key_middle[] = { { 0, .034, .034 }, { 1, .016, .09 } };
+    static const oar_key key_middle[] = { { 0, .034, .034 }, { 1, .014, .06 } };
     const bool full = detail == FULL;
     mesh_part(m, "oars", "deck");
     for (int i = 0; i < 2 * OARS; i++) {

@@ -99,12 +99,21 @@ static void set_bending(const tp_frame *frame, tp_mirror *to, tp_fx level)
         (int64_t)(frame->projection.eye.y - level) * 4096 / frame->projection.zi_near;
 }
 
-/* Returns the next band, with the layer of outlines unless objects are fast: waves bend
- * the reflection by more than an outline smooths. */
+/* True if the map has outlines.  The fast rung of objects has none where waves bend the
+ * reflection by more than an outline smooths. */
+static bool has_outlines(const tp_scene *scene)
+{
+    bool waves = scene->pool.cols > 0 || scene->field.cols > 0;
+
+    for (int i = 0; i < TP_WAVES; i++)
+        waves = waves || scene->wave[i].amplitude > 0;
+    return tp_has_outlines(scene) && (!waves || scene->quality.objects != TP_RUNG_FAST);
+}
+
+/* Returns the next band. */
 static tp_gbuffer begin_band(const tp_frame *frame, const mirror *m, int32_t y0)
 {
-    const bool outlined = m->outlined && frame->outlined
-                          && frame->scene->quality.objects != TP_RUNG_FAST;
+    const bool outlined = m->outlined && frame->outlined && has_outlines(frame->scene);
     tp_gbuffer band = tp_planar_tall_gbuffer(&m->store, &m->look.map, y0, outlined ? 8 : 4);
 
     tp_gbuffer_clear(&band);
@@ -178,8 +187,7 @@ static void *layout_mirror(tp_arena *arena, const tp_module_conditions *conditio
     mirror *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .look.bend = 0 };
 
     tp_planar_layout(&made.store, arena, conditions, count_halvings(conditions));
-    made.outlined = tp_has_outlines(conditions->scene)
-                    && conditions->scene->quality.objects != TP_RUNG_FAST;
+    made.outlined = has_outlines(conditions->scene);
     if (made.outlined)          /* right behind the band's samples */
         tp_arena_alloc(arena, (size_t)made.store.cols * TP_PLANAR_BAND,
                        4 * sizeof *made.store.samples);
