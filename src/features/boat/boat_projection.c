@@ -15,14 +15,22 @@ TP_ALWAYS_INLINE int64_t scaled(tp_fx x, tp_fx scale)
     return ((int64_t)x * scale + 0x8000) >> 16;
 }
 
-/* Returns a position in metres.  `bounded`: see is_bounded; else each coordinate is clamped
- * to +-4 km. */
-TP_ALWAYS_INLINE tp_vec3 position(const tp_boat_view *b, tp_vec3 at, int bounded)
+/* How positions are transformed. */
+enum {
+    CLAMPED,                    /* any mesh: each coordinate is clamped to +-4 km */
+    BOUNDED,                    /* see is_bounded */
+    METRES                      /* bounded, and positions are in metres */
+};
+
+/* Returns a position in metres. */
+TP_ALWAYS_INLINE tp_vec3 position(const tp_boat_view *b, tp_vec3 at, int how)
 {
+    if (how == METRES)
+        return at;
     const int64_t x = scaled(at.x, b->metres), y = scaled(at.y, b->metres),
                   z = scaled(at.z, b->metres);
 
-    if (bounded)
+    if (how == BOUNDED)
         return (tp_vec3){ (tp_fx)x, (tp_fx)y, (tp_fx)z };
     return (tp_vec3){ (tp_fx)tp_clamp_abs(x, POSITION_MOST),
                       (tp_fx)tp_clamp_abs(y, POSITION_MOST),
@@ -81,12 +89,12 @@ TP_ALWAYS_INLINE int32_t dot(tp_vec3 d, tp_dir3 axis)
 
 /* Projects a vertex, or marks it as outside or as one that needs clipping. */
 TP_ALWAYS_INLINE void project_vertex(const tp_boat_view *b, const tp_view_plane *plane,
-                                     tp_vec3 at, tp_boat_vertex *to, int bounded)
+                                     tp_vec3 at, tp_boat_vertex *to, int how)
 {
-    const tp_vec3 p = position(b, at, bounded);
+    const tp_vec3 p = position(b, at, how);
     tp_view_vertex c;
 
-    if (bounded) {
+    if (how != CLAMPED) {
         const tp_vec3 d = tp_vec3_sub(p, b->projection.eye);
         c.x = dot(d, b->projection.right);
         c.y = dot(d, b->projection.up);
@@ -105,14 +113,14 @@ TP_ALWAYS_INLINE void project_vertex(const tp_boat_view *b, const tp_view_plane 
 /* Projects all vertices; returns the box of the projected ones. */
 TP_ALWAYS_INLINE tp_grid_box project_vertices(const tp_boat_view *b,
                                               const tp_view_plane *plane,
-                                              tp_boat_vertex *vertex, int bounded)
+                                              tp_boat_vertex *vertex, int how)
 {
     int32_t left = INT32_MAX, right = INT32_MIN, top = INT32_MAX, bottom = INT32_MIN;
     tp_grid_box box = TP_BOX_NONE;
 
     for (uint32_t i = 0; i < b->mesh->n_vertices; i++) {
         tp_boat_vertex *to = &vertex[i];
-        project_vertex(b, plane, b->mesh->vertices[i].position, to, bounded);
+        project_vertex(b, plane, b->mesh->vertices[i].position, to, how);
         if (to->u <= TP_BOAT_OUTSIDE)
             continue;
         left = to->u < left ? to->u : left;
@@ -130,8 +138,10 @@ TP_ALWAYS_INLINE tp_grid_box project_vertices(const tp_boat_view *b,
 tp_grid_box tp_boat_project_vertices(const tp_boat_view *b, const tp_view_plane *plane,
                                      tp_boat_vertex *vertex)
 {
-    return is_bounded(b) ? project_vertices(b, plane, vertex, 1)
-                         : project_vertices(b, plane, vertex, 0);
+    if (!is_bounded(b))
+        return project_vertices(b, plane, vertex, CLAMPED);
+    return b->metres == TP_FX_ONE ? project_vertices(b, plane, vertex, METRES)
+                                  : project_vertices(b, plane, vertex, BOUNDED);
 }
 
 static tp_view_vertex transform_vertex(const tp_boat_view *b, uint32_t i)
@@ -140,7 +150,7 @@ static tp_view_vertex transform_vertex(const tp_boat_view *b, uint32_t i)
     const tp_packed_dir normal = tp_boat_vertex_normal(b, i);
     tp_view_vertex c;
 
-    tp_projection_view_vertex(&b->projection, position(b, vertex->position, 0), &c);
+    tp_projection_view_vertex(&b->projection, position(b, vertex->position, CLAMPED), &c);
     c.s = vertex->s;
     c.t = vertex->t;
     c.n[0] = (int16_t)tp_dir_x(normal);
