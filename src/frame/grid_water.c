@@ -82,41 +82,86 @@ static void draw_clipped_cell(const tp_frame *frame, const tp_gbuffer *tile,
     }
 }
 
-static bool has_cut_corner(const tp_screen_vertex side[2])
+/* The places of vertices beside a tile, 28.4 px: all pixel centres of the tile are right of
+ * `left` or less, left of `right` or more, and so on. */
+typedef struct {
+    int32_t left, right, above, below;
+} tile_sides;
+
+static tile_sides tile_sides_make(const tp_gbuffer *tile)
 {
-    return side[0].u == TP_GRID_NEEDS_CLIP || side[1].u == TP_GRID_NEEDS_CLIP;
+    return (tile_sides){ 16 * tile->x0 + 8, 16 * tile->x1 - 7, 16 * tile->y0 + 8,
+                         16 * tile->y1 - 7 };
+}
+
+/* Returns on which sides of the tile a vertex lies: the sign bits of four differences.  A
+ * vertex that needs clipping lies anywhere, so the answer is 0. */
+TP_ALWAYS_INLINE uint32_t outside_of_tile(const tile_sides *tile, const tp_grid_vertex *vertex)
+{
+    const int32_t u = vertex->u, v = vertex->v;
+
+    if (u == TP_GRID_NEEDS_CLIP)
+        return 0;
+    return (uint32_t)(v - tile->above - 1) >> 31 | (uint32_t)(tile->below - v - 1) >> 31 << 1
+           | (uint32_t)(u - tile->left - 1) >> 31 << 2
+           | (uint32_t)(tile->right - u - 1) >> 31 << 3;
+}
+
+/* The two vertices of a column, on lines j and j + 1. */
+typedef struct {
+    uint32_t outside;           /* sides of the tile that both lie beyond */
+    bool     made;              /* true if the corners are */
+    tp_screen_vertex corner[2];
+} column;
+
+TP_ALWAYS_INLINE void begin_column(column *to, const tile_sides *tile,
+                                   const tp_grid_vertex *above, const tp_grid_vertex *below)
+{
+    to->outside = outside_of_tile(tile, above) & outside_of_tile(tile, below);
+    to->made = false;
+}
+
+static void make_corners(column *to, const tp_grid *grid, const tp_grid_window *window,
+                         uint32_t i, uint32_t j)
+{
+    if (to->made)
+        return;
+    to->corner[0] = make_corner(grid, window, i, j);
+    to->corner[1] = make_corner(grid, window, i, j + 1);
+    to->made = true;
 }
 
 /* Draws cells first to end - 1; the right side of a cell is the left side of the next
- * cell. */
+ * cell.  Most cells of a block lie above or below the tile. */
 void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
                          tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
 {
     TP_ASSERT(first < end && end < frame->buffers.grid->cols);
     TP_ASSERT(j + 1 < frame->buffers.grid->rows);
     const tp_grid *grid = frame->buffers.grid;
+    const tile_sides sides = tile_sides_make(tile);
+    column side[2];
+    clipped_run run;
 
     tp_grid_window_load(grid, window, j, first, end + 1);
     tp_grid_window_load(grid, window, j + 1, first, end + 1);
-    tp_screen_vertex side[2][2] = { { make_corner(grid, window, first, j),
-                                      make_corner(grid, window, first, j + 1) } };
-    clipped_run run;
-    int left = 0;
-
+    const tp_grid_vertex *above = window->line[j & 1], *below = window->line[(j + 1) & 1];
+    begin_column(&side[first & 1], &sides, &above[first], &below[first]);
     run.end = 0;
     for (uint32_t i = first; i < end; i++) {
-        bool dry = tp_grid_cell_is_dry(grid, i, j);
-        int right = 1 - left;
-        side[right][0] = make_corner(grid, window, i + 1, j);
-        side[right][1] = make_corner(grid, window, i + 1, j + 1);
-        if (!dry && (has_cut_corner(side[left]) || has_cut_corner(side[right]))) {
+        column *left = &side[i & 1], *right = &side[(i + 1) & 1];
+        begin_column(right, &sides, &above[i + 1], &below[i + 1]);
+        if (left->outside & right->outside || tp_grid_cell_is_dry(grid, i, j))
+            continue;
+        if (needs_clipping(window, i, j)) {
             extend_run(frame, window, i, end, j, &run);
             draw_clipped_cell(frame, tile, &run, i);
-        } else if (!dry) {
-            tp_tri_water(tile, &side[left][0], &side[left][1], &side[right][1]);
-            tp_tri_water(tile, &side[left][0], &side[right][1], &side[right][0]);
+            continue;
         }
-        left = right;
+        make_corners(left, grid, window, i, j);
+        make_corners(right, grid, window, i + 1, j);
+        tp_tri_water(tile, &left->corner[0], &left->corner[1], &right->corner[1]);
+        tp_tri_water(tile, &left->corner[0], &right->corner[1], &right->corner[0]);
     }
 }
 
