@@ -98,7 +98,9 @@ extern const struct tp_water_swells tp_water_few_swells;
 
 /* -- water renderers and the quality plan; src/frame/frame.h ------------------------- */
 
-#define TP_DRAW_LIST(X) X(rungs) /* the quality plan */
+#define TP_DRAW_LIST(X) \
+    X(rungs)            /* the quality plan */ \
+    X(fast_triangles)   /* the water's, for quality.triangles */
 
 /* Renderers of the water's surface, see tp_visibility. */
 #define TP_METHOD_LIST(X) \

@@ -74,6 +74,7 @@ struct tp_frame {
     bool             steered;
     uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* the plan's settings */
     tp_visibility    visibility;        /* water renderer of this frame */
+    tp_cell_drawer  *draw_cell;         /* of the water, by quality.triangles */
 
     tp_view          view;              /* render view of the picture itself */
     uint64_t         modules_on;        /* bits in the order of the program's list */
@@ -239,6 +240,11 @@ static inline size_t tp_renderer_column_bytes(const tp_program *program)
 {
     return program->method.rows || program->method.projected ? TP_RENDERER_BYTES : 0;
 }
+
+/* The water's triangles by cheaper arithmetic, for quality.triangles = fast. */
+struct tp_draw_fast_triangles {
+    tp_cell_drawer *draw_cell;
+};
 
 /* The quality plan, see planned.c. */
 struct tp_draw_rungs {

@@ -160,8 +160,7 @@ void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
         }
         make_corners(left, grid, window, i, j);
         make_corners(right, grid, window, i + 1, j);
-        tp_tri_water(tile, &left->corner[0], &left->corner[1], &right->corner[1]);
-        tp_tri_water(tile, &left->corner[0], &right->corner[1], &right->corner[0]);
+        frame->draw_cell(tile, left->corner, right->corner);
     }
 }
 
@@ -324,6 +323,8 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
     if (tp_has_floor(scene) && tp_frame_is_coastal(program, scene))
         program->water.coastal->layout(grid, arena, tp_fan_budget(scene));
 }
+
+const struct tp_draw_fast_triangles tp_draw_fast_triangles = { tp_cell_water_fast };
 
 const struct tp_water_renderer tp_method_streamed = {
     .layout = layout_water, .place = place_water, .draw = draw_water, .streams = true,

@@ -119,6 +119,14 @@ void tp_gbuffer_clear(const tp_gbuffer *tile);
 void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
                   const tp_screen_vertex *b, const tp_screen_vertex *c);
 
+/* Draws a cell of water: `left` and `right` are its sides, each from above to below if the
+ * cell shows its front.  The exact function draws the triangles left[0] left[1] right[1] and
+ * left[0] right[1] right[0].  The fast function fills the same pixels; in cells of up to 64
+ * pixels each way it shades both triangles as one plane, and s and t are affine. */
+typedef void tp_cell_drawer(const tp_gbuffer *tile, const tp_screen_vertex left[2],
+                            const tp_screen_vertex right[2]);
+tp_cell_drawer tp_cell_water, tp_cell_water_fast;
+
 /* Draws a solid triangle.  `mark`: stencil value; `face`: face number in the samples;
  * `opacity`: number of pixels drawn out of 16, in an ordered pattern. */
 void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
