@@ -100,7 +100,8 @@ extern const struct tp_water_swells tp_water_few_swells;
 
 #define TP_DRAW_LIST(X) \
     X(rungs)            /* the quality plan */ \
-    X(fast_triangles)   /* the water's, for quality.triangles */
+    X(fast_triangles)   /* the water's, for quality.triangles */ \
+    X(half_lines)       /* water at half the rows, for quality.lines */
 
 /* Renderers of the water's surface, see tp_visibility. */
 #define TP_METHOD_LIST(X) \

@@ -89,7 +89,8 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(refraction, "auto|exact|fast", 2, "view into water: each pixel, or a lattice") \
     X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone") \
     X(mesh, "auto|full|middle|low", 3, "mesh of the boat: boat.mesh, NAME-mid, NAME-low") \
-    X(triangles, "auto|exact|fast", 2, "cells of the water: exact triangles, or planes")
+    X(triangles, "auto|exact|fast", 2, "cells of the water: exact triangles, or planes") \
+    X(lines, "auto|all|half", 2, "rows of water: each shaded, or every second one")
 
 /* The first rungs of every effect. */
 enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST };

@@ -187,9 +187,18 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
     return ram.frame;
 }
 
-static size_t tile_sample_count(const tp_config *c)
+/* Returns the code for water at half the rows, if the scene names it. */
+static const struct tp_draw_half_lines *find_half_lines(const tp_config *c,
+                                                        const tp_scene *scene)
 {
-    return (size_t)c->tile_width * c->tile_height;
+    return scene->quality.lines == TP_RUNG_FAST ? c->program->draw.half_lines : NULL;
+}
+
+/* Returns the rows of samples that a tile may need beyond its own. */
+static uint32_t count_extra_rows(const tp_config *c, const tp_scene *scene)
+{
+    const struct tp_draw_half_lines *half = find_half_lines(c, scene);
+    return half ? half->extra_rows(c->tile_height, c->height) : 0;
 }
 
 static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
@@ -223,7 +232,9 @@ static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool 
     const uint32_t planes = count_planes(c.program, scene);
     const size_t method = tp_renderer_column_bytes(c.program) * c.tile_width
                           + TP_GRID_WINDOW(streamed_cols(c.program, scene));
-    return planes * tile_sample_count(&c) * sizeof(uint32_t)
+    const size_t samples = (size_t)c.tile_width
+                         * (c.tile_height + count_extra_rows(&c, scene));
+    return planes * samples * sizeof(uint32_t)
            + (pixels > method && !direct ? pixels : method);
 }
 
@@ -254,6 +265,8 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
     frame->across = (c->width + c->tile_width - 1) / c->tile_width;
     frame->down = (c->height + c->tile_height - 1) / c->tile_height;
     frame->buffers = buffers;
+    frame->half_lines = find_half_lines(c, scene);
+    frame->extra_rows = count_extra_rows(c, scene);
     frame->ram = ram;
     frame->ram.scratch = scratch_size(c, scene, false);
     return frame;

@@ -76,6 +76,9 @@ struct tp_frame {
     tp_visibility    visibility;        /* water renderer of this frame */
     tp_cell_drawer  *draw_cell;         /* of the water, by quality.triangles */
 
+    const struct tp_draw_half_lines *half_lines;    /* named at init; NULL: none */
+    uint32_t         extra_rows;        /* of a tile's samples, for half_lines */
+
     tp_view          view;              /* render view of the picture itself */
     uint64_t         modules_on;        /* bits in the order of the program's list */
     uint64_t         modules_drawn;     /* enabled modules with samples */
@@ -162,6 +165,14 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
     return tp_has_tank(frame->scene) && tp_frame_has_module(frame, TP_MODULE_WALLS);
 }
 
+/* tile.c: sets up the run at (x, y) and returns its shader list; shades a run; lets the
+ * application draw on the colours of row y. */
+const tp_shaders *tp_frame_begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
+                                     int32_t y, tp_run *run);
+void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run);
+void tp_frame_overlay_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
+                          uint32_t *colours);
+
 /* tile.c: row y of a tile as 0xffRRGGBB before tone mapping, 0 for sky.  `to` may be the
  * row's normals. */
 void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
@@ -244,6 +255,20 @@ static inline size_t tp_renderer_column_bytes(const tp_program *program)
 /* The water's triangles by cheaper arithmetic, for quality.triangles = fast. */
 struct tp_draw_fast_triangles {
     tp_cell_drawer *draw_cell;
+};
+
+/* Rows of a tile's samples, y1 not included. */
+typedef struct {
+    int32_t y0, y1;
+} tp_line_bounds;
+
+/* Water at half the rows, for quality.lines = half; half_lines.c.  A tile may need rows
+ * beside its own: `bounds` returns the rows of one, `extra_rows` the most of all. */
+struct tp_draw_half_lines {
+    uint32_t (*extra_rows)(uint32_t tile_height, uint32_t height);
+    tp_line_bounds (*bounds)(int32_t y0, int32_t y1, int32_t height);
+    void (*draw)(const tp_frame *frame, const tp_gbuffer *samples, const tp_tile *tile,
+                 uint8_t *row);
 };
 
 /* The quality plan, see planned.c. */

@@ -8,14 +8,43 @@
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 
-static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_tile *tile)
+static size_t plane_size(const tp_frame *frame)
 {
     const tp_config *c = &frame->config;
-    size_t    plane = (size_t)c->tile_width * c->tile_height;
+    return (size_t)c->tile_width * (c->tile_height + frame->extra_rows);
+}
+
+/* True if the water of this frame is shaded at half the rows. */
+static bool has_half_lines(const tp_frame *frame)
+{
+    return frame->half_lines && frame->scene->quality.lines == TP_RUNG_FAST;
+}
+
+/* Returns the rows of a tile's samples. */
+static tp_line_bounds line_bounds(const tp_frame *frame, const tp_tile *tile)
+{
+    const int32_t y0 = (int32_t)tile->y0, y1 = (int32_t)tile->y1;
+    return has_half_lines(frame)
+               ? frame->half_lines->bounds(y0, y1, (int32_t)frame->config.height)
+               : (tp_line_bounds){ y0, y1 };
+}
+
+/* Returns the keys of row y, of a tile in view of its drawer. */
+static const uint32_t *tile_keys(const tp_frame *frame, const void *scratch,
+                                 const tp_tile *tile, uint32_t y)
+{
+    const uint32_t row = y - (uint32_t)line_bounds(frame, tile).y0;
+    return (const uint32_t *)scratch + (size_t)row * frame->config.tile_width;
+}
+
+static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_tile *tile)
+{
+    const tp_line_bounds rows = line_bounds(frame, tile);
+    const size_t plane = plane_size(frame);
     uint32_t *at = scratch;
     tp_gbuffer samples = {
-        (int32_t)tile->x0, (int32_t)tile->y0, (int32_t)tile->x1, (int32_t)tile->y1,
-        c->tile_width, at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL, 0, 0,
+        (int32_t)tile->x0, rows.y0, (int32_t)tile->x1, rows.y1, frame->config.tile_width,
+        at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL, 0, 0,
     };
 
     tp_frame_allow_outlines(frame, &samples);
@@ -24,8 +53,7 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_ti
 
 static void *scratch_pixels(const tp_frame *frame, void *scratch)
 {
-    size_t plane = (size_t)frame->config.tile_width * frame->config.tile_height;
-    return (uint32_t *)scratch + (frame->outlined ? 8 : 4) * plane;
+    return (uint32_t *)scratch + (frame->outlined ? 8 : 4) * plane_size(frame);
 }
 
 /* Returns the number of samples, up to `limit`, with the first sample's stencil value. */
@@ -42,9 +70,8 @@ static int32_t run_length(const uint32_t *key, int32_t limit)
     return n;
 }
 
-/* Sets up the run at (x, y) and returns its shader list. */
-static const tp_shaders *begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
-                                   int32_t y, tp_run *run)
+const tp_shaders *tp_frame_begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
+                                     int32_t y, tp_run *run)
 {
     TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
     int32_t most = TP_RUN - x % TP_RUN;
@@ -73,7 +100,7 @@ static bool begin_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
            && tp_frame_outlining(frame)->colour_row(frame, tile, y, TP_AT_END, run);
 }
 
-static void shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run)
+void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run)
 {
     for (const tp_shader *s = list->shader; s->stage; s++) {
         run->mine = s->mine;
@@ -88,8 +115,8 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
     const bool outlined = begin_row(frame, tile, y, &run);
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
-        shade_run(frame, plan, &run);
+        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, &run);
+        tp_frame_shade_run(frame, plan, &run);
         if (outlined)
             tp_frame_outlining(frame)->blend(tile, &run);
         if (frame->tone_map)
@@ -100,6 +127,19 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
     }
 }
 
+void tp_frame_overlay_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
+                          uint32_t *colours)
+{
+    const tp_overlay *overlay = &frame->config.overlay;
+    const tp_overlay_row over = {
+        (uint32_t)y, (uint32_t)tile->x0, (uint32_t)tile->x1, colours,
+        tile->key + (size_t)(uint32_t)(y - tile->y0) * tile->stride,
+        frame->projection.zi_near,
+    };
+
+    overlay->row(overlay->user, &over);
+}
+
 /* Draws a row with the application's spans.  Colours replace the row's normals run by run:
  * no stage reads the normals of another run. */
 static void shade_row_with_overlay(const tp_frame *frame, const void *samples, int32_t y,
@@ -107,23 +147,18 @@ static void shade_row_with_overlay(const tp_frame *frame, const void *samples, i
 {
     const tp_gbuffer *tile = samples;
     const size_t at = (size_t)(uint32_t)(y - tile->y0) * tile->stride;
-    const tp_overlay *overlay = &frame->config.overlay;
     uint32_t *to = tile->n + at;
     tp_run run;
     const bool outlined = begin_row(frame, tile, y, &run);
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
-        shade_run(frame, plan, &run);
+        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, &run);
+        tp_frame_shade_run(frame, plan, &run);
         if (outlined)
             tp_frame_outlining(frame)->blend(tile, &run);
         memcpy(to + (x - tile->x0), run.colour, (size_t)run.count * sizeof *to);
     }
-    tp_overlay_row over = {
-        (uint32_t)y, (uint32_t)tile->x0, (uint32_t)tile->x1,
-        to,          tile->key + at,     frame->projection.zi_near,
-    };
-    overlay->row(overlay->user, &over);
+    tp_frame_overlay_row(frame, tile, y, to);
     frame->program->store[frame->config.format](row, 0, tile->x0, y, to,
                                                 tile->x1 - tile->x0);
 }
@@ -142,7 +177,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
             to[x++ - tile->x0] = 0;
             continue;
         }
-        const tp_shaders *plan = begin_run(frame, tile, x, y, &run);
+        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, &run);
         for (uint32_t i = 0; i < plan->count && plan->order[i] < TP_AT_TONE; i++) {
             run.mine = plan->shader[i].mine;
             plan->shader[i].stage(&frame->shade, &run);
@@ -194,6 +229,10 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
 {
     tp_gbuffer samples = make_samples(frame, scratch, tile);
     draw_samples(frame, &samples, scratch_pixels(frame, scratch));
+    if (has_half_lines(frame)) {
+        frame->half_lines->draw(frame, &samples, tile, row);
+        return;
+    }
     if (frame->config.overlay.draw) {
         shade_rows_with_overlay(frame, &samples, tile, row);
         return;
@@ -236,7 +275,7 @@ uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,
                                const tp_tile *tile)
 {
     TP_ASSERT(scratch != NULL && tile->x0 < tile->x1);
-    const uint32_t *key = scratch;
+    const uint32_t *key = tile_keys(frame, scratch, tile, tile->y0);
     uint32_t count = 0;
 
     for (uint32_t y = tile->y0; y < tile->y1; y++, key += frame->config.tile_width) {
@@ -300,8 +339,7 @@ void tp_frame_sample_row(const tp_frame *frame, const void *scratch, const tp_ti
                          uint32_t y, tp_fx *depth, uint8_t *kind)
 {
     TP_ASSERT(frame != NULL && scratch != NULL && y >= tile->y0 && y < tile->y1);
-    const uint32_t *key =
-        (const uint32_t *)scratch + (size_t)(y - tile->y0) * frame->config.tile_width;
+    const uint32_t *key = tile_keys(frame, scratch, tile, y);
 
     if (depth)
         put_depths(frame, key, tile->x1 - tile->x0, depth);

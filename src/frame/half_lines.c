@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/* Water at half the rows, for quality.lines = half: the water of a mean row is the mean of
+ * the rows above and below.
+ *
+ * Mean rows are the odd rows of the picture except each sixteenth, so tiles of sixteen rows
+ * need no row of a neighbour.  Tiles of other heights draw one row more above, below or both.
+ * Everything but water, and outlines over water, are drawn in every row.  Colours lie in the
+ * place of the samples' normals: no stage reads the normals of another run. */
+#include "base/dsp.h"
+#include "frame/frame.h"
+
+static bool is_mean_row(int32_t y)
+{
+    return (y & 1) && (y & 15) != 15;
+}
+
+/* The rows that a tile needs: its own, and those beside its mean rows. */
+static tp_line_bounds bounds(int32_t y0, int32_t y1, int32_t height)
+{
+    return (tp_line_bounds){ y0 - is_mean_row(y0),
+                             y1 + (y1 < height && is_mean_row(y1 - 1)) };
+}
+
+/* Rows of memory beyond those of a tile; all tiles begin at multiples of its height. */
+static uint32_t extra_rows(uint32_t tile_height, uint32_t height)
+{
+    return tile_height % 16 == 0 || tile_height >= height ? 0 : tile_height % 2 ? 2 : 1;
+}
+
+static size_t row_index(const tp_gbuffer *tile, int32_t y)
+{
+    return (size_t)(uint32_t)(y - tile->y0) * tile->stride;
+}
+
+static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y)
+{
+    uint32_t *to = tile->n + row_index(tile, y) - tile->x0;
+    tp_run run;
+
+    for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
+        const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y, &run);
+        tp_frame_shade_run(frame, list, &run);
+        memcpy(to + x, run.colour, (size_t)run.count * sizeof *to);
+    }
+}
+
+/* -- mean rows ----------------------------------------------------------------------- */
+
+/* Water above and below a pixel. */
+enum { NEITHER, ABOVE, BELOW, BOTH };
+
+static bool is_water(const uint32_t *key)
+{
+    return key && TP_MARK(*key) == TP_MARK_WATER;
+}
+
+static int beside(const uint32_t *above, const uint32_t *below, int32_t i)
+{
+    return (is_water(above + i) ? ABOVE : 0) + (below && is_water(below + i) ? BELOW : 0);
+}
+
+/* Returns the number of pixels, up to `limit`, with the same neighbours as pixel i. */
+static int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t i,
+                           int32_t limit)
+{
+    const int kind = beside(above, below, i);
+    const uint32_t *a = above + i, *b = below + i;
+    int32_t n = 1;
+
+    while (kind == BOTH && n + 2 <= limit
+           && !TP_MARK((a[n] ^ TP_MARK_WATER) | (a[n + 1] ^ TP_MARK_WATER)
+                       | (b[n] ^ TP_MARK_WATER) | (b[n + 1] ^ TP_MARK_WATER)))
+        n += 2;
+    while (n < limit && beside(above, below, i + n) == kind)
+        n++;
+    return n;
+}
+
+static void mix(uint32_t *to, const uint32_t *above, const uint32_t *below, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++)
+        to[i] = tp_uhadd8(above[i], below[i]);
+}
+
+/* Fills the row's colours from its neighbours where both or one of them are water too, and
+ * shades the rest. */
+static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y)
+{
+    const size_t at = row_index(tile, y);
+    const bool last = y + 1 >= tile->y1;        /* of the picture */
+    const uint32_t *above = tile->key + at - tile->stride;
+    const uint32_t *below = last ? NULL : tile->key + at + tile->stride;
+    uint32_t *to = tile->n + at;
+    tp_run run;
+
+    for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
+        const int32_t i = x - tile->x0;
+        const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y, &run);
+        int kind = NEITHER;
+        if (TP_MARK(run.key[0]) == TP_MARK_WATER) {
+            kind = beside(above, below, i);
+            run.count = count_alike(above, below, i, run.count);
+        }
+        if (kind == BOTH) {
+            mix(to + i, to + i - tile->stride, to + i + tile->stride, run.count);
+        } else if (kind != NEITHER) {
+            const uint32_t *from = to + i + (kind == ABOVE ? -(ptrdiff_t)tile->stride
+                                                           : (ptrdiff_t)tile->stride);
+            memcpy(to + i, from, (size_t)run.count * sizeof *to);
+        } else {
+            tp_frame_shade_run(frame, list, &run);
+            memcpy(to + i, run.colour, (size_t)run.count * sizeof *to);
+        }
+    }
+}
+
+/* -- pixels -------------------------------------------------------------------------- */
+
+/* Blends the row's outlines over its colours. */
+static void blend_outlines(const tp_frame *frame, const tp_gbuffer *tile, int32_t y)
+{
+    const struct tp_outlining *outlining = tp_frame_outlining(frame);
+    uint32_t *row = tile->n + row_index(tile, y) - tile->x0;
+    tp_run run;
+
+    if (!tile->outline || !outlining->colour_row(frame, tile, y, TP_AT_END, &run))
+        return;
+    for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
+        const int32_t most = TP_RUN - x % TP_RUN;
+        run.x = x;
+        run.y = y;
+        run.count = most < tile->x1 - x ? most : tile->x1 - x;
+        memcpy(run.colour, row + x, (size_t)run.count * sizeof *row);
+        outlining->blend(tile, &run);
+        memcpy(row + x, run.colour, (size_t)run.count * sizeof *row);
+    }
+}
+
+static void store_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, void *to)
+{
+    const int32_t count = tile->x1 - tile->x0;
+    uint32_t *colours = tile->n + row_index(tile, y);
+
+    blend_outlines(frame, tile, y);
+    if (frame->config.overlay.draw)
+        tp_frame_overlay_row(frame, tile, y, colours);
+    if (frame->tone_map && !frame->config.overlay.draw)
+        frame->store_tone_mapped(frame->tone_map, to, colours, count);
+    else
+        frame->program->store[frame->config.format](to, 0, tile->x0, y, colours, count);
+}
+
+static void draw_rows(const tp_frame *frame, const tp_gbuffer *samples, const tp_tile *tile,
+                      uint8_t *row)
+{
+    const int32_t y0 = (int32_t)tile->y0, y1 = (int32_t)tile->y1;
+
+    for (int32_t y = samples->y0; y < samples->y1; y++)
+        if (!is_mean_row(y))
+            shade_row(frame, samples, y);
+    for (int32_t y = y0; y < y1; y++)
+        if (is_mean_row(y))
+            fill_mean_row(frame, samples, y);
+    for (int32_t y = y0; y < y1; y++, row += tile->stride)
+        store_row(frame, samples, y, row);
+}
+
+const struct tp_draw_half_lines tp_draw_half_lines = { extra_rows, bounds, draw_rows };
