@@ -77,7 +77,7 @@ static bool is_between(int y)
 
 static bool is_water(int x, int y)
 {
-    return y < HEIGHT && kind[y][x] == TP_SAMPLE_WATER;
+    return y >= 0 && y < HEIGHT && kind[y][x] == TP_SAMPLE_WATER;
 }
 
 /* True if a pixel of a row between has a colour of its own: its neighbours are no water.  A
@@ -145,6 +145,33 @@ static void a_picture_without_water_does_not_change(void **state)
     assert_memory_equal(half, full, sizeof full);
 }
 
+static void mark_row(void *user, const tp_overlay_row *row)
+{
+    uint32_t *rows = user;
+    row->colour[0] = 0x123456;
+    *rows += 1;
+}
+
+static void the_application_draws_over_the_means(void **state)
+{
+    uint32_t rows = 0;
+    tp_scene scene;
+    const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_height = 6,
+                               .overlay = tp_overlay_make(mark_row, &rows) };
+
+    (void)state;
+    tp_world *world = draw_both(&scene, -10 * TP_FX_ONE, true);
+    test_frame f = frame_of(&scene, assets(), &config);
+    frame_draw_picture(&f, world, part[0]);
+    assert_int_equal(rows, HEIGHT);
+    for (int y = 0; y < HEIGHT; y++) {
+        assert_int_equal(part[y][0] & 0xffffff, 0x123456);
+        assert_memory_equal(&part[y][1], &half[y][1], sizeof half[y] - sizeof half[y][0]);
+    }
+    frame_free(&f);
+    free(world);
+}
+
 /* Without the row at init the scratch may have no room for rows beside a tile. */
 static void the_row_set_after_init_changes_nothing(void **state)
 {
@@ -171,6 +198,7 @@ int main(void)
         cmocka_unit_test(rows_between_are_means_and_others_exact),
         cmocka_unit_test(every_tiling_gives_the_same_bits),
         cmocka_unit_test(a_picture_without_water_does_not_change),
+        cmocka_unit_test(the_application_draws_over_the_means),
         cmocka_unit_test(the_row_set_after_init_changes_nothing),
     };
     return cmocka_run_group_tests_name("frame/half_lines", tests, NULL, NULL);
