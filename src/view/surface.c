@@ -183,6 +183,41 @@ tp_surface_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z,
     return at;
 }
 
+/* A divisor of slopes and 2^63 over its upper 32 bits. */
+typedef struct {
+    uint64_t n;
+    uint32_t reciprocal;
+    int      zeros;             /* before its highest bit */
+} slope_divisor;
+
+static slope_divisor make_slope_divisor(uint64_t n)
+{
+    TP_ASSERT(n > 0);
+    const uint32_t high = (uint32_t)(n >> 32);
+    const int zeros = high ? tp_clz(high) : 32 + tp_clz((uint32_t)n);
+
+    return (slope_divisor){ n, tp_recip_norm((uint32_t)(n << zeros >> 32)), zeros };
+}
+
+/* Returns 2^16 n / divisor, rounded to 0, exactly; |n| < 8 divisor and |n| <= 2^40.  The
+ * dividend has 83 - zeros bits at most; its upper 32 bits times the reciprocal are the
+ * quotient, below 2^19, with 12 bits of fraction that are within 2^3, so one step corrects
+ * it.  A 64-bit division is long on processors with 32 bits. */
+static tp_fx divide_slope(int64_t n, const slope_divisor *by)
+{
+    const uint64_t whole = (uint64_t)(n < 0 ? -n : n) << 16;
+    const int down = 51 - by->zeros;
+    const uint32_t upper = (uint32_t)(down >= 0 ? whole >> down : whole << -down);
+    int32_t quotient = (int32_t)((uint64_t)upper * by->reciprocal >> 44);
+    const int64_t rest = (int64_t)(whole - (uint64_t)quotient * by->n);
+
+    if (rest < 0)
+        quotient--;
+    else if ((uint64_t)rest >= by->n)
+        quotient++;
+    return n < 0 ? -quotient : quotient;
+}
+
 /* Computes N = along_z x along_x, with the directions of the grid's rows and columns; a
  * slope is -N / N.y.  N.y has a lower limit, so an overhang gets the steepest slope. */
 void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
@@ -200,8 +235,9 @@ void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
     }
     if (ny * 8 <= most)             /* also if all three components are 0 */
         ny = most / 8 + 1;
-    *slope_x = (tp_fx)(-nx * TP_FX_ONE / ny);
-    *slope_z = (tp_fx)(-nz * TP_FX_ONE / ny);
+    const slope_divisor by = make_slope_divisor((uint64_t)ny);
+    *slope_x = divide_slope(-nx, &by);
+    *slope_z = divide_slope(-nz, &by);
 }
 
 tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z)

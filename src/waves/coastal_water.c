@@ -309,6 +309,14 @@ static tp_offset breaking_wave_offset(const tp_coastal_water *coastal, uint32_t 
 
 /* -- points -------------------------------------------------------------------------- */
 
+/* Returns 2^14 times the quotient; a short division where it fits. */
+static int64_t spacing_quotient(tp_fx spacing, int32_t shorter)
+{
+    TP_ASSERT(spacing >= 0 && shorter > 0);
+    return spacing < 1 << 17 ? spacing * (1 << 14) / shorter
+                             : (int64_t)spacing * (1 << 14) / shorter;
+}
+
 /* Returns the share of a wave at a depth that points of a spacing hold. */
 static tp_fx spacing_weight(const tp_coastal_water *coastal, uint32_t i,
                             const tp_coastal_spacing *spacing, const floor_place *p)
@@ -321,8 +329,8 @@ static tp_fx spacing_weight(const tp_coastal_water *coastal, uint32_t i,
         return TP_FX_ONE;
     if (shorter <= 0)
         return 0;
-    const int64_t along = (int64_t)spacing->along[i] * (1 << 14) / shorter;
-    const int64_t across = (int64_t)spacing->across[i] * (1 << 14) / shorter;
+    const int64_t along = spacing_quotient(spacing->along[i], shorter);
+    const int64_t across = spacing_quotient(spacing->across[i], shorter);
     return tp_fx_mul(tp_swell_spacing_weight(along), tp_swell_spacing_weight(across));
 }
 

@@ -308,6 +308,31 @@ static void slopes_across_are_those_of_the_cross_product(void **state)
     assert_true(m.worst < 2);
 }
 
+/* The quotient of a division in 64 bits, of the same numbers. */
+static void slopes_are_quotients_rounded_towards_0(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200000; n++) {
+        const double most = chance_scale(&chance, 0.0001, 2000) * LSB;
+        const tp_vec3 a = way_any(most), b = way_any(n % 3 ? most : 100 * LSB);
+        int64_t nx = (int64_t)b.y * a.z - (int64_t)b.z * a.y;
+        int64_t ny = (int64_t)b.z * a.x - (int64_t)b.x * a.z;
+        int64_t nz = (int64_t)b.x * a.y - (int64_t)b.y * a.x;
+        int64_t sum = llabs(nx) + llabs(nz);
+        tp_fx sx, sz;
+        for (; sum > (int64_t)1 << 40; sum >>= 1) {
+            nx /= 2;
+            ny /= 2;
+            nz /= 2;
+        }
+        if (ny * 8 <= sum)
+            ny = sum / 8 + 1;
+        tp_slopes_from_tangents(a, b, &sx, &sz);
+        assert_int_equal(sx, -nx * 65536 / ny);
+        assert_int_equal(sz, -nz * 65536 / ny);
+    }
+}
+
 static void sheets_without_a_size_are_level(void **state)
 {
     (void)state;
@@ -350,6 +375,7 @@ int main(void)
         cmocka_unit_test(over_coastal_water_the_place_is_found_by_inversion),
         cmocka_unit_test(slopes_over_coastal_water_are_those_of_its_heights),
         cmocka_unit_test(slopes_across_are_those_of_the_cross_product),
+        cmocka_unit_test(slopes_are_quotients_rounded_towards_0),
         cmocka_unit_test(sheets_without_a_size_are_level),
         cmocka_unit_test(what_overhangs_is_as_steep_as_can_be),
     };
