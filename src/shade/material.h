@@ -113,9 +113,16 @@ static inline uint32_t tp_gloss_lookup(const tp_solid *solid, int32_t rv)
     return (uint32_t)(here + ((next - here) * part >> 8));
 }
 
-/* Lit colour of a normal and a view vector in the given axes; lv is light . view. */
+/* Returns the colour of a material's highlight at its peak. */
+static inline uint32_t tp_solid_shine(const tp_shade *shade, const tp_solid *solid)
+{
+    return tp_colour_times(solid->specular, shade->light_colour);
+}
+
+/* Lit colour of a normal and a view vector in the given axes; lv is light . view; `shine`
+ * of tp_solid_shine. */
 TP_ALWAYS_INLINE uint32_t tp_phong(const tp_shade *shade, const tp_view_axes *axes,
-                                   const tp_solid *solid, uint32_t diffuse,
+                                   const tp_solid *solid, uint32_t diffuse, uint32_t shine,
                                    tp_vec_q14 n, tp_vec_q14 v, int32_t lv, int blinn)
 {
     tp_vec_q14 light = { axes->lx, axes->ly, axes->lz };
@@ -124,7 +131,6 @@ TP_ALWAYS_INLINE uint32_t tp_phong(const tp_shade *shade, const tp_view_axes *ax
         tp_clamp(tp_lobe_table_cosine(nl, tp_vec_q14_dot(n, v), lv, blinn), 0, 16384);
     uint32_t bright = (uint32_t)tp_lit_share(shade->ambient, nl);
     uint32_t gloss = nl > 0 ? tp_gloss_lookup(solid, rv) : 0;
-    uint32_t shine = tp_colour_times(solid->specular, shade->light_colour);
 
     return tp_colour_add(tp_colour_scale(diffuse, bright), tp_colour_scale(shine, gloss));
 }

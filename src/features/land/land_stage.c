@@ -11,9 +11,11 @@ void tp_stage_land(const tp_shade *shade, tp_run *run)
 {
     const tp_solid *land = run->mine;
 
+    const uint32_t shine = tp_solid_shine(shade, land);
+
     tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0; i < run->count; i++)
-        run->colour[i] = tp_phong(shade, &shade->world, land, land->diffuse,
+        run->colour[i] = tp_phong(shade, &shade->world, land, land->diffuse, shine,
                                   tp_vec_q14_unpack(run->n[i]),
                                   (tp_vec_q14){ run->vx[i], run->vy[i], run->vz[i] },
                                   run->lv[i], 0);
