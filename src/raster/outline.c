@@ -14,7 +14,15 @@ typedef struct {
     bool     after;             /* true: the mesh lies to the right or below */
     int32_t  from, length;      /* the walked axis, 28.4 px */
     uint32_t inverse;           /* 2^31 / length */
+    uint32_t st, n;             /* the fast rung: of all pixels */
 } outline;
+
+/* A pixel on the walked axis: the share of the edge, Q16, and in the fast rung the inverse
+ * depth. */
+typedef struct {
+    int32_t  along;
+    uint32_t zi;
+} place;
 
 /* Interpolates between values with a difference below 2^31; share is Q16, below 1. */
 static int32_t lerp(int32_t a, int32_t b, int32_t share)
@@ -52,12 +60,15 @@ static uint32_t add_to_sum(uint32_t t, bool level, int32_t share)
     return (t & ~(0xffu << shift)) | ((uint32_t)(sum ? sum : 1) & 0xff) << shift;
 }
 
-/* Draws the edge in the pixel at `at`; `share`: the part to its right or below, 0..128. */
-static void draw_pixel(const tp_gbuffer *tile, const outline *o, uint32_t *at,
-                       int32_t along, int32_t share, uint32_t mark, uint32_t face)
+/* Draws the edge in the pixel at `at`; `share`: the part to its right or below, 0..128;
+ * `fast` is a literal. */
+TP_ALWAYS_INLINE void draw_pixel(const tp_gbuffer *tile, const outline *o, uint32_t *at,
+                                 place p, int32_t share, uint32_t mark, uint32_t face,
+                                 int fast)
 {
     const ptrdiff_t plane = tile->s - tile->key;
-    const uint32_t zi = (uint32_t)lerp((int32_t)o->a->zi, (int32_t)o->b->zi, along);
+    const uint32_t zi =
+        fast ? p.zi : (uint32_t)lerp((int32_t)o->a->zi, (int32_t)o->b->zi, p.along);
     const uint32_t depth = zi << 1 & ~(uint32_t)0xff, old = at[0] & ~(uint32_t)0xff;
     const uint32_t wide = old >> tile->outline_shift;
     const int32_t signed_share = o->after ? share : -share;
@@ -71,28 +82,50 @@ static void draw_pixel(const tp_gbuffer *tile, const outline *o, uint32_t *at,
     if (at[0] && depth <= old)
         return;
     at[0] = depth | mark;
-    at[plane] = lerp_st(o, (uint32_t)along);
+    at[plane] = fast ? o->st : lerp_st(o, (uint32_t)p.along);
     at[2 * plane] = add_to_sum(face | out, o->level, signed_share);
-    at[3 * plane] = lerp_normal(o, along);
+    at[3 * plane] = fast ? o->n : lerp_normal(o, p.along);
 }
 
-/* Draws the edge where it crosses the centre of row or column i; `along`: the share of the
- * edge, Q16. */
-static void draw_crossing(const tp_gbuffer *tile, const outline *o, int32_t i,
-                          int32_t along, uint32_t mark, uint32_t face)
+/* Draws the edge where it crosses the centre of row or column i. */
+TP_ALWAYS_INLINE void draw_crossing(const tp_gbuffer *tile, const outline *o, int32_t i,
+                                    place p, uint32_t mark, uint32_t face, int fast)
 {
     const int32_t a = o->level ? o->a->v : o->a->u, b = o->level ? o->b->v : o->b->u;
-    const int32_t at = lerp(16 * a, 16 * b, along), x = o->level ? i : at >> 8,
+    const int32_t at = lerp(16 * a, 16 * b, p.along), x = o->level ? i : at >> 8,
                   y = o->level ? at >> 8 : i;
 
     if (x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1)
         draw_pixel(tile, o, tile->outline + (size_t)(uint32_t)(y - tile->y0) * tile->stride
                                 + (uint32_t)(x - tile->x0),
-                   along, (256 - (at & 255)) >> 1, mark, face);
+                   p, (256 - (at & 255)) >> 1, mark, face, fast);
 }
 
-void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                          const tp_screen_vertex *b, uint32_t mark, uint32_t face)
+/* Draws the pixels from `first` on.  The fast rung steps the depth from the edge's first
+ * pixel on, so that every tile has the same bits. */
+TP_ALWAYS_INLINE void draw_pixels(const tp_gbuffer *tile, outline *o, int32_t first,
+                                  int32_t end, uint32_t mark, uint32_t face, int fast)
+{
+    const uint32_t begin = (uint32_t)(16 * first + 8 - o->from);
+    const uint32_t step = fast ? (uint32_t)((int64_t)(int32_t)(o->b->zi - o->a->zi)
+                                            * o->inverse >> 27) : 0;
+    const uint32_t start = (uint32_t)(16 * tp_first_centre(o->from) + 8 - o->from);
+    uint32_t along = begin * o->inverse,
+             zi = o->a->zi + (uint32_t)((int64_t)(int32_t)step * start >> 4)
+                  + step * ((begin - start) >> 4);
+
+    if (fast) {
+        o->st = lerp_st(o, 0x8000);
+        o->n = lerp_normal(o, 0x8000);
+    }
+    for (; first < end; first++, along += 16 * o->inverse, zi += step)
+        draw_crossing(tile, o, first, (place){ (int32_t)(along >> 15), zi }, mark, face,
+                      fast);
+}
+
+TP_ALWAYS_INLINE void draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                                const tp_screen_vertex *b, uint32_t mark, uint32_t face,
+                                int fast)
 {
     TP_ASSERT(tp_screen_vertex_in_guard_band(a) && tp_screen_vertex_in_guard_band(b));
     const bool level = tp_abs(b->u - a->u) > tp_abs(b->v - a->v);
@@ -109,9 +142,19 @@ void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
     if (first >= end)
         return;
     o.inverse = 0x7fffffffu / (uint32_t)o.length;
-    uint32_t along = (uint32_t)(16 * first + 8 - o.from) * o.inverse;
-    for (; first < end; first++, along += 16 * o.inverse)
-        draw_crossing(tile, &o, first, (int32_t)(along >> 15), mark, face);
+    draw_pixels(tile, &o, first, end, mark, face, fast);
+}
+
+void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                          const tp_screen_vertex *b, uint32_t mark, uint32_t face)
+{
+    draw_edge(tile, a, b, mark, face, 0);
+}
+
+void tp_outline_draw_edge_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                               const tp_screen_vertex *b, uint32_t mark, uint32_t face)
+{
+    draw_edge(tile, a, b, mark, face, 1);
 }
 
 void tp_outline_begin(tp_gbuffer *tile, int32_t x0, int32_t x1)

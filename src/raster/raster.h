@@ -183,6 +183,10 @@ void tp_outline_begin(tp_gbuffer *tile, int32_t x0, int32_t x1);
 void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
                           const tp_screen_vertex *b, uint32_t mark, uint32_t face);
 
+/* The same with one place and light for all pixels of the edge, for the fast rung. */
+void tp_outline_draw_edge_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                               const tp_screen_vertex *b, uint32_t mark, uint32_t face);
+
 /* Returns the share of the pixel, 0..256, of an outline's sample. */
 uint32_t tp_outline_share(uint32_t t, uint32_t n);
 

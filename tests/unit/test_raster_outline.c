@@ -25,6 +25,19 @@ static tp_screen_vertex random_corner(void)
                   (int32_t)random_below(&chance, 16 * SIDE));
 }
 
+/* Random depths and light, for the fast rung. */
+static tp_screen_vertex lit_corner(void)
+{
+    tp_screen_vertex c = random_corner();
+
+    c.zi = (1u << 28) + random_below(&chance, 1u << 24);
+    c.s = (int32_t)random_below(&chance, 1u << 18);
+    c.t = (int32_t)random_below(&chance, 1u << 18);
+    for (int k = 0; k < 2; k++)
+        c.n[k] = (int16_t)((int32_t)random_below(&chance, 1009) - 504);
+    return c;
+}
+
 /* A tile with a cleared layer of outlines. */
 static test_tile outlined_tile(int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
@@ -186,6 +199,65 @@ static void every_tiling_has_the_same_shares(void **state)
     }
 }
 
+/* Asserts that part of a picture's outlines has the bits of the whole. */
+static void assert_outlines(const test_tile *whole, const test_tile *part)
+{
+    const tp_gbuffer *s = &part->samples;
+
+    for (int32_t y = s->y0; y < s->y1; y++)
+        for (int32_t x = s->x0; x < s->x1; x++) {
+            const uint32_t *a = whole->samples.outline + tile_at(whole, x, y),
+                           *b = s->outline + tile_at(part, x, y);
+            for (size_t p = 0; p < 4; p++)
+                assert_int_equal(a[p * whole->words], b[p * part->words]);
+        }
+}
+
+static void fast_edges_have_the_same_bits_in_every_tiling(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 60; n++) {
+        const tp_screen_vertex a = lit_corner(), b = lit_corner();
+        test_tile whole = outlined_tile(0, 0, SIDE, SIDE);
+        tp_outline_draw_edge_fast(&whole.samples, &a, &b, MARK, 7);
+        for (int32_t y0 = 0; y0 < SIDE; y0 += 16)
+            for (int32_t x0 = 0; x0 < SIDE; x0 += 32) {
+                test_tile part = outlined_tile(x0, y0, x0 + 32, y0 + 16);
+                tp_outline_draw_edge_fast(&part.samples, &a, &b, MARK, 7);
+                assert_outlines(&whole, &part);
+                free_outlined(&part);
+            }
+        free_outlined(&whole);
+    }
+}
+
+/* The fast rung has the pixels and shares of the exact one, and its depth within 4 of 2^24:
+ * the exact share of an edge is cut to 1 / 65536 of 2^24. */
+static void fast_edges_have_the_shares_of_exact_ones(void **state)
+{
+    (void)state;
+    uint32_t pixels = 0;
+    for (int n = 0; n < 400; n++) {
+        const tp_screen_vertex a = lit_corner(), b = lit_corner();
+        test_tile fast = outlined_tile(0, 0, SIDE, SIDE),
+                  exact = outlined_tile(0, 0, SIDE, SIDE);
+        tp_outline_draw_edge_fast(&fast.samples, &a, &b, MARK, 7);
+        tp_outline_draw_edge(&exact.samples, &a, &b, MARK, 7);
+        for (size_t i = 0; i < fast.words; i++) {
+            const uint32_t *f = fast.samples.outline + i, *e = exact.samples.outline + i;
+            assert_int_equal(TP_MARK(f[0]), TP_MARK(e[0]));
+            if (f[0] == 0)
+                continue;
+            assert_true(abs((int)(f[0] >> 8) - (int)(e[0] >> 8)) <= 4);
+            assert_int_equal(f[2 * fast.words], e[2 * fast.words]);
+            pixels++;
+        }
+        free_outlined(&fast);
+        free_outlined(&exact);
+    }
+    assert_true(pixels > 4000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -193,6 +265,8 @@ int main(void)
         cmocka_unit_test(a_thin_rope_does_not_break),
         cmocka_unit_test(a_seam_shows_no_gap),
         cmocka_unit_test(every_tiling_has_the_same_shares),
+        cmocka_unit_test(fast_edges_have_the_same_bits_in_every_tiling),
+        cmocka_unit_test(fast_edges_have_the_shares_of_exact_ones),
     };
     chance = random_seed();
     return cmocka_run_group_tests_name("raster outline", tests, NULL, NULL);
