@@ -135,7 +135,8 @@ tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map 
 
 /* Returns the G-buffer of a band from row y0 on, for a map whose colours are written from
  * its last row to its first.  The band lies in words of the colours that are not in use
- * yet, as tall as fits there: no object is drawn in more bands than needed.  `planes`: 4, or 8 with outlines. */
+ * yet, as tall as fits there: no object is drawn in more bands than needed.  `planes`: 4,
+ * or 8 with outlines. */
 tp_gbuffer tp_planar_tall_gbuffer(const tp_planar_memory *store, const tp_planar_map *map,
                                   int32_t y0, uint32_t planes);
 

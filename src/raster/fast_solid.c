@@ -120,14 +120,14 @@ static void set_means(triangle *t)
 
 /* Returns the step per pixel of a quantity that grows by d over a sliver; `inverse` is
  * 2^31 / length. */
-static uint32_t step_along(uint32_t d, int32_t inverse)
+static uint32_t find_length_step(uint32_t d, int32_t inverse)
 {
     return (uint32_t)((int64_t)(int32_t)d * inverse >> 27);
 }
 
 /* Sets planes that change along the longer axis of a sliver alone, from one end to the
  * other.  s and t may differ by any number of repeats. */
-static void set_along(triangle *t, bool level)
+static void set_length_planes(triangle *t, bool level)
 {
     const tp_screen_vertex *p = t->a, *q = t->c;
 
@@ -140,11 +140,11 @@ static void set_along(triangle *t, bool level)
     const int32_t inverse = INT32_MAX / (level ? q->u - p->u : q->v - p->v);
     words *to = level ? &t->dx : &t->dy;
     t->dx = t->dy = (words){ 0, 0, 0 };
-    *to = (words){ step_along(q->zi - p->zi, inverse),
-                   join(step_along((uint32_t)q->s - (uint32_t)p->s, inverse),
-                        step_along((uint32_t)q->t - (uint32_t)p->t, inverse)),
-                   join(step_along((uint32_t)(64 * (q->n[1] - p->n[1])), inverse),
-                        step_along((uint32_t)(64 * (q->n[0] - p->n[0])), inverse)) };
+    *to = (words){ find_length_step(q->zi - p->zi, inverse),
+                   join(find_length_step((uint32_t)q->s - (uint32_t)p->s, inverse),
+                        find_length_step((uint32_t)q->t - (uint32_t)p->t, inverse)),
+                   join(find_length_step((uint32_t)(64 * (q->n[1] - p->n[1])), inverse),
+                        find_length_step((uint32_t)(64 * (q->n[0] - p->n[0])), inverse)) };
     t->x_ref = p->u >> 4;
     t->y_ref = p->v >> 4;
     t->base = (words){ p->zi, join((uint32_t)p->s, (uint32_t)p->t),
@@ -286,7 +286,7 @@ TP_ALWAYS_INLINE void fill_box(const triangle *t, const pixels *box, int outline
 
 /* -- the triangle -------------------------------------------------------------------- */
 
-static bool is_below(int32_t a, int32_t b, int32_t c, int32_t most)
+static bool spans_less(int32_t a, int32_t b, int32_t c, int32_t most)
 {
     return (int64_t)max3(a, b, c) - min3(a, b, c) < most;
 }
@@ -298,7 +298,7 @@ static bool is_affine(const tp_screen_vertex *a, const tp_screen_vertex *b,
     const int32_t za = (int32_t)a->zi, zb = (int32_t)b->zi, zc = (int32_t)c->zi,
                   low = min3(za, zb, zc), high = max3(za, zb, zc);
 
-    return is_below(a->s, b->s, c->s, REPEATS) && is_below(a->t, b->t, c->t, REPEATS)
+    return spans_less(a->s, b->s, c->s, REPEATS) && spans_less(a->t, b->t, c->t, REPEATS)
            && (uint64_t)(uint32_t)(high - low) * (uint32_t)((extent >> 4) + 1)
               <= 6 * (uint64_t)(uint32_t)low;
 }
@@ -329,7 +329,7 @@ static void draw_large(triangle *t, int64_t area, int32_t wide, int32_t high)
 {
     sort(t, t->a, t->b, t->c);
     if (area < (int64_t)THIN * (wide > high ? wide : high))
-        set_along(t, wide > high);
+        set_length_planes(t, wide > high);
     else
         set_planes(t, (int32_t)(t->long_left ? area : -area));
     if (t->tile->outline)

@@ -15,7 +15,7 @@ TP_ALWAYS_INLINE int64_t scaled(tp_fx x, tp_fx scale)
     return ((int64_t)x * scale + 0x8000) >> 16;
 }
 
-/* How positions are transformed. */
+/* Transformations of positions. */
 enum {
     CLAMPED,                    /* any mesh: each coordinate is clamped to +-4 km */
     BOUNDED,                    /* see is_bounded */

@@ -191,7 +191,7 @@ static texels choose_texels(const tp_texture *picture, int level)
     return (texels){ picture->level[level], 16 - w, 16 - h, w };
 }
 
-TP_ALWAYS_INLINE uint32_t texel_at(const texels *p, uint32_t st)
+TP_ALWAYS_INLINE uint32_t fetch_block_texel(const texels *p, uint32_t st)
 {
     return p->texel[(st & 0xffff) >> p->down_t << p->log2_w | st >> 16 >> p->down_s];
 }
@@ -218,7 +218,7 @@ void tp_stage_solid_fast(const tp_shade *shade, tp_run *run)
                 light = run->n[i] & STEPS;
                 f = find_factors(shade, solid, shine, light);
             }
-            run->colour[i] = light_texel(texel_at(&block, run->s[i]), &f);
+            run->colour[i] = light_texel(fetch_block_texel(&block, run->s[i]), &f);
         }
     }
 }
