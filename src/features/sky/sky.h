@@ -7,8 +7,10 @@
  *
  *     sky_drawing.c      the modules: dome (day, dusk, night), stars, cube map, haze;
  *                        the cost of their pixels
- *     sky_stage.c        the visible cube map of six textures, the visible dome, exact and
- *                        fast, their reflections, stars
+ *     sky_stage.c        the visible cube map of six textures, the visible dome, exact; their
+ *                        reflections
+ *     fast_dome_stage.c  the visible dome, by a fast stage
+ *     stars_stage.c      stars
  *     haze_stage.c       the rule of haze, and its stages, one for each kind of sky
  */
 #ifndef TP_FEATURES_SKY_SKY_H

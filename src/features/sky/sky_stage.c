@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Stages of the cube sky and of the dome: look-up along the view ray where the sky is
- * visible, exact and, for the dome, by fast shading, and along the reflected ray on water;
- * and the stars over a night's dome.
+ * visible, and along the reflected ray on water.
  */
 #include "features/sky/sky.h"
 #include "shade/env.h"
@@ -274,128 +273,5 @@ void tp_stage_reflect_dome(const tp_shade *restrict shade, tp_run *restrict run)
 const tp_stage tp_sky_dome_stages[] = {
 #define X(name) tp_stage_##name,
     TP_STAGES_OF_sky_dome(X)
-#undef X
-};
-
-/* -- fast shading, without stars ----------------------------------------------------- */
-
-#if TP_DSP
-#define FILL tp_gradient_fill_packed
-#else
-#define FILL tp_gradient_fill_scalar
-#endif
-
-#define CLOSE (1u << 23)        /* square of 10 degrees: beyond it the glow is smooth */
-
-static uint32_t sample_dome(const tp_shade *shade, tp_ray v)
-{
-    return tp_env_dome(shade, 0, -v.x, -v.y, -v.z) & 0x00ffffff;
-}
-
-static bool is_near_sun(const tp_shade *shade, tp_ray v)
-{
-    return tp_square_length(v.x + shade->world.lx, v.y + shade->world.ly,
-                        v.z + shade->world.lz) < CLOSE;
-}
-
-/* Looks up columns [k, end) of the 16 columns from ray a to ray b. */
-static void sample_dome_columns(const tp_shade *shade, uint32_t *colour, tp_ray a,
-                                tp_ray b, int32_t k, int32_t end)
-{
-    for (; k < end; k++) {
-        tp_ray v = { a.x + ((b.x - a.x) * k >> 4), a.y + ((b.y - a.y) * k >> 4),
-                     a.z + ((b.z - a.z) * k >> 4), 0 };
-        *colour++ = sample_dome(shade, v);
-    }
-}
-
-void tp_stage_quick_sky_dome(const tp_shade *shade, tp_run *run)
-{
-    const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
-    int32_t  x = run->x, end = run->x + run->count;
-    tp_ray   a = tp_quick_ray(shade, &row, 16 * (x & ~15) + 8);
-    uint32_t here = sample_dome(shade, a);
-
-    while (x < end) {
-        int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
-        tp_ray   b = tp_quick_ray(shade, &row, 16 * from + 16 * 16 + 8);
-        uint32_t there = sample_dome(shade, b), *colour = run->colour + (x - run->x);
-        if (is_near_sun(shade, a) || is_near_sun(shade, b))
-            sample_dome_columns(shade, colour, a, b, x - from, stop - from);
-        else
-            FILL(colour, tp_quick_shade_make(here, there), x - from, stop - from);
-        x = stop;
-        a = b;
-        here = there;
-    }
-}
-
-/* -- stars --------------------------------------------------------------------------- */
-
-/* The sky is a cube of 6 x 64 x 64 cells.  A hash of the cell decides whether the cell
- * has a star, and its place.  No list is stored, and a pixel examines its own cell only.
- *
- * A star is a round dot of a fixed width in pixels (shade->env.star) at any picture size,
- * so no star falls between two pixels.  Few stars are bright.  Water reflects no stars:
- * the slightest ripple would blur them. */
-
-#define CELL_LOG2 10            /* of a face's 65536 units */
-#define MARGIN    256           /* distance of stars from their cell's edges */
-
-TP_ALWAYS_INLINE uint32_t hash(uint32_t n)
-{
-    n = (n ^ n >> 15) * 0x2c1b3c6du;
-    n = (n ^ n >> 12) * 0x297a2d39u;
-    return n ^ n >> 15;
-}
-
-/* Returns the brightness 0..256 of the dot at (ds, dt) from its centre.  A unit of a face
- * covers a smaller angle farther out; m is the cosine of the angle to the face's centre. */
-TP_ALWAYS_INLINE uint32_t dot_brightness(const tp_shade *shade, int32_t ds, int32_t dt,
-                                         int32_t cosine)
-{
-    uint32_t square = (uint32_t)(ds * ds + dt * dt) >> 2;
-    uint32_t narrow = (uint32_t)(cosine * cosine) >> 16;          /* Q12 */
-    uint32_t down = (uint32_t)((uint64_t)(square * narrow >> 10) * shade->env.star >> 16);
-    return down < 256 ? 256 - down : 0;
-}
-
-static const uint32_t tints[4] = { 0xffffff, 0xd8e4ff, 0xfff0d8, 0xecf2ff };
-
-/* Returns the star light 0x00RRGGBB in a direction.  Near the horizon the air absorbs the
- * stars. */
-TP_ALWAYS_INLINE uint32_t sample_star(const tp_shade *shade, int32_t x, int32_t y,
-                                      int32_t z)
-{
-    tp_cube_place p = tp_cube_project(shade->env.recip, x, y, z);
-    uint32_t h = hash((uint32_t)(p.face * 4096 + (p.t >> CELL_LOG2) * 64
-                                 + (p.s >> CELL_LOG2)) + 1);
-
-    if ((h & 0xff) >= shade->env.stars)
-        return 0;
-    int32_t mask = (1 << CELL_LOG2) - 1, room = mask + 1 - 2 * MARGIN;
-    int32_t ds = (p.s & mask) - MARGIN - (int32_t)((h >> 8 & 0xff) * (uint32_t)room >> 8);
-    int32_t dt = (p.t & mask) - MARGIN - (int32_t)((h >> 16 & 0xff) * (uint32_t)room >> 8);
-    uint32_t rank = h >> 24, bright = 56 + (rank * rank * rank >> 16) * 7 / 4;
-    uint32_t air = (uint32_t)tp_clamp((y - 500) >> 3, 0, 256);
-    uint32_t share = (dot_brightness(shade, ds, dt, p.m) * bright >> 8) * air >> 8;
-
-    return tp_colour_scale(tints[h >> 14 & 3], share < 256 ? share : 256);
-}
-
-void tp_stage_stars(const tp_shade *shade, tp_run *run)
-{
-    TP_ASSERT(shade->env.recip != NULL);
-    for (int32_t i = 0; i < run->count; i++) {
-        if (run->vy[i] < 0)
-            run->colour[i] = tp_colour_add(run->colour[i],
-                                           sample_star(shade, -run->vx[i], -run->vy[i],
-                                                   -run->vz[i]));
-    }
-}
-
-const tp_stage tp_stars_stages[] = {
-#define X(name) tp_stage_##name,
-    TP_STAGES_OF_stars(X)
 #undef X
 };
