@@ -186,13 +186,14 @@ TP_ALWAYS_INLINE tp_cube_four tp_cube_find_texels(const uint32_t *recip, int32_t
 TP_ALWAYS_INLINE uint32_t tp_cube_mix(uint32_t a, uint32_t b, uint32_t c, uint32_t d,
                                       uint32_t fu, uint32_t fv)
 {
-    const uint32_t m = 0x00ff00ff, gu = 256 - fu, gv = 256 - fv;
-    uint32_t rb = ((a & m) * gu + (b & m) * fu) >> 8 & m;
-    uint32_t ag = ((a >> 8 & m) * gu + (b >> 8 & m) * fu) >> 8 & m;
-    uint32_t low_rb = ((c & m) * gu + (d & m) * fu) >> 8 & m;
-    uint32_t low_ag = ((c >> 8 & m) * gu + (d >> 8 & m) * fu) >> 8 & m;
+    const uint32_t gu = 256 - fu, gv = 256 - fv;
+    uint32_t rb = tp_odd_bytes(tp_even_bytes(a) * gu + tp_even_bytes(b) * fu);
+    uint32_t ag = tp_odd_bytes(tp_odd_bytes(a) * gu + tp_odd_bytes(b) * fu);
+    uint32_t low_rb = tp_odd_bytes(tp_even_bytes(c) * gu + tp_even_bytes(d) * fu);
+    uint32_t low_ag = tp_odd_bytes(tp_odd_bytes(c) * gu + tp_odd_bytes(d) * fu);
 
-    return ((rb * gv + low_rb * fv) >> 8 & m) | ((ag * gv + low_ag * fv) & ~m);
+    return tp_odd_bytes(rb * gv + low_rb * fv)
+         | ((ag * gv + low_ag * fv) & 0xff00ff00u);
 }
 
 TP_ALWAYS_INLINE uint32_t tp_cube_sample(const tp_shade *shade, const tp_cube_ray *ray,

@@ -257,6 +257,9 @@ void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 void tp_run_fill_vectors_to_eye(const tp_shade *shade, const tp_view_axes *axes,
                                 tp_run *run);
 
+/* Fills vx, vy and vz in world axes, and leaves lv as it is. */
+void tp_run_fill_sky_vectors(const tp_shade *shade, tp_run *run);
+
 /* Returns the end of the 16 columns that sample i lies in, or of the run. */
 static inline int32_t tp_block_end(const tp_run *run, int32_t i)
 {

@@ -32,13 +32,36 @@ static way pixel_view_vector(const tp_shade *shade, const tp_view_axes *a, int32
     };
 }
 
-/* Normalises a vector, reduced to Q10. */
-static tp_ray normalise_ray(const tp_view_axes *a, way w)
+/* Returns the upper 16 bits of a component of tp_normalise, which is
+ * (x inverse + 2^(32 - half)) / 2^(33 - half): inverse is 2^31..2^32, so x inverse is
+ * x 2^32 + x (inverse - 2^32), two words that Cortex-M multiplies in one instruction. */
+TP_ALWAYS_INLINE int32_t normalise_q14(int32_t x, uint32_t inverse, int half)
 {
-    tp_dir3 d = tp_normalise((int32_t)(w.x >> 20), (int32_t)(w.y >> 20),
-                             (int32_t)(w.z >> 20));
-    tp_ray r = { d.x >> 16, d.y >> 16, d.z >> 16, 0 };
+    const int64_t below = (int64_t)x * (int32_t)inverse + ((int64_t)1 << (32 - half));
 
+    return ((int32_t)(below >> 32) + x) >> (17 - half);
+}
+
+/* Normalises a vector, reduced to Q10, with the bits of tp_normalise.  A vector shorter
+ * than 2^16 occurs only in pictures of few pixels. */
+TP_ALWAYS_INLINE tp_ray normalise_ray(const tp_view_axes *a, way w)
+{
+    const int32_t x = (int32_t)(w.x >> 20), y = (int32_t)(w.y >> 20),
+                  z = (int32_t)(w.z >> 20);
+    const uint64_t sum = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y)
+                       + (uint64_t)((int64_t)z * z);
+    const uint32_t high = (uint32_t)(sum >> 32);
+    tp_ray r;
+
+    if (high == 0) {
+        const tp_dir3 d = tp_normalise(x, y, z);
+        r = (tp_ray){ d.x >> 16, d.y >> 16, d.z >> 16, 0 };
+    } else {
+        const int half = tp_clz(high) >> 1;
+        const uint32_t inverse = tp_rsqrt_norm((uint32_t)(sum << 2 * half >> 32));
+        r = (tp_ray){ normalise_q14(x, inverse, half), normalise_q14(y, inverse, half),
+                      normalise_q14(z, inverse, half), 0 };
+    }
     r.l = (r.x * a->lx + r.y * a->ly + r.z * a->lz) >> 14;
     return r;
 }
@@ -50,7 +73,7 @@ tp_ray tp_vector_to_eye(const tp_shade *shade, const tp_view_axes *a, int32_t x,
 
 /* Returns the ray 16 columns further right: unnormalised rays are exactly linear in the
  * column. */
-static tp_ray advance_ray_to_next_knot(const tp_view_axes *a, way *w)
+TP_NEVER_INLINE tp_ray advance_ray_to_next_knot(const tp_view_axes *a, way *w)
 {
     w->x -= 256 * (int64_t)a->right.x;
     w->y -= 256 * (int64_t)a->right.y;
@@ -68,6 +91,23 @@ static inline arc make_parabola_between_knots(int32_t before, int32_t a, int32_t
                                               int32_t after)
 {
     return (arc){ a * 1024, (b - a) * 64, a + b - before - after };
+}
+
+/* Evaluates a component at `count` columns from k on. */
+static void evaluate_arc(arc a, int32_t k, int32_t count, int16_t *restrict to)
+{
+    if (TP_WIDE) {
+        for (int32_t i = 0; i < count; i++) {
+            int32_t here = k + i;
+            to[i] = (int16_t)((a.begin + a.step * here + a.bow * ((16 - here) * here))
+                              >> 10);
+        }
+        return;
+    }
+    int32_t at = a.begin + (a.step + a.bow * (16 - k)) * k;
+    int32_t step = a.step + a.bow * (15 - 2 * k);
+    for (int32_t i = 0; i < count; i++, at += step, step -= 2 * a.bow)
+        to[i] = (int16_t)(at >> 10);
 }
 
 /* Evaluates two components at `count` columns from k on: each column directly for vector
@@ -97,38 +137,54 @@ static void evaluate_arcs(arc a, arc b, int32_t k, int32_t count, int16_t *restr
     }
 }
 
-static void interpolate_knot_rays(const tp_ray knot[4], int32_t column_in_block,
-                                  int32_t count, tp_run *run, int32_t first)
+/* Fills `count` samples from sample `first` on; `light` is a literal: 1 fills lv too. */
+TP_ALWAYS_INLINE void interpolate_knot_rays(const tp_ray *a, const tp_ray *b,
+                                            const tp_ray *c, const tp_ray *d,
+                                            int32_t column_in_block, int32_t count,
+                                            tp_run *run, int32_t first, int light)
 {
-    const tp_ray *a = knot, *b = knot + 1, *c = knot + 2, *d = knot + 3;
-
     evaluate_arcs(make_parabola_between_knots(a->x, b->x, c->x, d->x),
                   make_parabola_between_knots(a->y, b->y, c->y, d->y), column_in_block,
                   count, run->vx + first, run->vy + first);
-    evaluate_arcs(make_parabola_between_knots(a->z, b->z, c->z, d->z),
-                  make_parabola_between_knots(a->l, b->l, c->l, d->l), column_in_block,
-                  count, run->vz + first, run->lv + first);
+    if (light)
+        evaluate_arcs(make_parabola_between_knots(a->z, b->z, c->z, d->z),
+                      make_parabola_between_knots(a->l, b->l, c->l, d->l),
+                      column_in_block, count, run->vz + first, run->lv + first);
+    else
+        evaluate_arc(make_parabola_between_knots(a->z, b->z, c->z, d->z),
+                     column_in_block, count, run->vz + first);
 }
 
-void tp_run_fill_vectors_to_eye(const tp_shade *shade, const tp_view_axes *axes,
-                                tp_run *run)
+/* Four knots serve a block; the knots of the next block overwrite them in turn. */
+TP_ALWAYS_INLINE void fill_vectors(const tp_shade *shade, const tp_view_axes *axes,
+                                   tp_run *run, int light)
 {
     TP_ASSERT(run->count > 0 && run->count <= TP_RUN);
     int32_t from = run->x & ~15;
+    uint32_t n = 3;             /* knots made */
     way     w = pixel_view_vector(shade, axes, from - 16, run->y);
     tp_ray  knot[4] = { normalise_ray(axes, w) };
 
     knot[1] = advance_ray_to_next_knot(axes, &w);
     knot[2] = advance_ray_to_next_knot(axes, &w);
-    for (int32_t i = 0; i < run->count; ) {
+    for (int32_t i = 0; i < run->count; n++) {
         int32_t stop = tp_block_end(run, i), k = (run->x + i) & 15;
-        knot[3] = advance_ray_to_next_knot(axes, &w);
-        interpolate_knot_rays(knot, k, stop - i, run, i);
+        knot[n & 3] = advance_ray_to_next_knot(axes, &w);
+        interpolate_knot_rays(&knot[(n + 1) & 3], &knot[(n + 2) & 3], &knot[(n + 3) & 3],
+                              &knot[n & 3], k, stop - i, run, i, light);
         i = stop;
-        knot[0] = knot[1];
-        knot[1] = knot[2];
-        knot[2] = knot[3];
     }
+}
+
+void tp_run_fill_vectors_to_eye(const tp_shade *shade, const tp_view_axes *axes,
+                                tp_run *run)
+{
+    fill_vectors(shade, axes, run, 1);
+}
+
+void tp_run_fill_sky_vectors(const tp_shade *shade, tp_run *run)
+{
+    fill_vectors(shade, &shade->world, run, 0);
 }
 
 void tp_stage_view(const tp_shade *shade, tp_run *run)

@@ -81,36 +81,22 @@ TP_ALWAYS_INLINE void solid_run(const tp_shade *shade, tp_run *run, int blinn)
         }
         int32_t  depth = tp_log_depth(shade, run->key[i]);
         uint32_t st = run->s[i], diffuse = solid->diffuse;
-<<<<<<< HEAD
         vec n;
-=======
-        vec n = unpack_dir_q14(run->n[i]);
         int level = 0;
->>>>>>> c682e6a9 (boat, land: the highlight's colour once a run, one mipmap level for both maps, same bits)
         if (picture) {
             level = tp_mip_level_choose(solid->lod, depth, false, picture->levels);
             diffuse = tp_colour_times(fetch_texel(picture, level, st), diffuse);
         }
         if (normals) {
-<<<<<<< HEAD
-            int level = tp_mip_level_choose(solid->lod, depth, false, normals->levels);
-            n = apply_normal_map(unpack_dir_q14(run->n[i]), solid, level, st,
-=======
             if (!same_levels)
                 level = tp_mip_level_choose(solid->lod, depth, false, normals->levels);
-            n = apply_normal_map(n, solid, level, st,
->>>>>>> c682e6a9 (boat, land: the highlight's colour once a run, one mipmap level for both maps, same bits)
+            n = apply_normal_map(unpack_dir_q14(run->n[i]), solid, level, st,
                                  shading->mesh->faces[run->t[i]].tangent);
             n = tp_vec_q14_unit(n.x, n.y, n.z);
         } else {
             n = tp_vec_q14_unpack(run->n[i]);
         }
-<<<<<<< HEAD
-        run->colour[i] = tp_phong(shade, &shading->axes, solid, diffuse, n,
-=======
-        n = tp_vec_q14_unit(n.x, n.y, n.z);
         run->colour[i] = tp_phong(shade, &shading->axes, solid, diffuse, shine, n,
->>>>>>> c682e6a9 (boat, land: the highlight's colour once a run, one mipmap level for both maps, same bits)
                                   (vec){ run->vx[i], run->vy[i], run->vz[i] },
                                   run->lv[i], blinn);
     }

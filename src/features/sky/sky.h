@@ -29,10 +29,12 @@
 /* -- helpers of the stages ----------------------------------------------------------- */
 
 /* Returns the colour of a sky look-up.  `hdr` is a literal: 1 adds the light above white,
- * 0 leaves it out. */
+ * 0 leaves it out.  Most look-ups have no light above white. */
 TP_ALWAYS_INLINE uint32_t tp_sky_colour(const tp_shade *shade, uint32_t light, int hdr)
 {
-    return hdr ? tp_light_colour_clamped(shade, light) : light & 0x00ffffffu;
+    if (hdr && (TP_WIDE || light >> 24))
+        return tp_light_colour_clamped(shade, light);
+    return light & 0x00ffffffu;
 }
 
 /* -- fast shading of the visible dome ------------------------------------------------ */

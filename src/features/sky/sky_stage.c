@@ -92,24 +92,88 @@ TP_ALWAYS_INLINE void shade_cube_wide(const tp_shade *restrict shade, tp_run *re
         run->colour[i + k] = tp_sky_colour(shade, light[k], hdr);
 }
 
+/* A block of samples in one face: the components of tp_cube_face, negated vectors to the
+ * eye, and their signs. */
+typedef struct {
+    const int16_t *m, *right, *down;
+    int32_t sign_m, sign_right, sign_down;
+} face_block;
+
+static face_block face_block_make(const tp_run *run, int face)
+{
+    const int16_t *x = run->vx, *y = run->vy, *z = run->vz;
+    const int32_t  sign = face & 1 ? 1 : -1;
+
+    if (face < 2)
+        return (face_block){ x, z, y, sign, sign, 1 };
+    if (face < 4)
+        return (face_block){ y, x, z, sign, 1, sign };
+    return (face_block){ z, x, y, sign, -sign, 1 };
+}
+
+#define CLEAR 1024              /* Q14: distance to a face's edges */
+
+/* True if a vector is far from the face's edges. */
+TP_ALWAYS_INLINE bool is_clear(const face_block *block, int32_t i)
+{
+    const int32_t m = block->sign_m * block->m[i] - CLEAR;
+
+    return tp_abs(block->right[i]) < m && tp_abs(block->down[i]) < m;
+}
+
+/* True if samples i..last of a block lie on one face.  Between the ends a component strays
+ * from their chord by at most an eighth of the square of the angle: 440 of 16384 if the
+ * ends' components differ by less than a quarter; two components by less than CLEAR. */
+static bool is_on_face(const face_block *block, int32_t i, int32_t last)
+{
+    return is_clear(block, i) && is_clear(block, last)
+        && tp_abs(block->m[last] - block->m[i]) < 4096
+        && tp_abs(block->right[last] - block->right[i]) < 4096
+        && tp_abs(block->down[last] - block->down[i]) < 4096;
+}
+
+TP_ALWAYS_INLINE void shade_face(const tp_shade *shade, tp_run *run, int face,
+                                 const face_block *block, const tp_cube_face_level *side,
+                                 int32_t i, int32_t stop, int hdr)
+{
+    for (; i < stop; i++) {
+        const tp_cube_ray ray = { face, block->sign_right * block->right[i],
+                                  block->sign_down * block->down[i],
+                                  block->sign_m * block->m[i] };
+        run->colour[i] = tp_sky_colour(shade, tp_cube_sample(shade, &ray, side), hdr);
+    }
+}
+
+TP_ALWAYS_INLINE void shade_any_face(const tp_shade *shade, tp_run *run,
+                                     const tp_cube_sides *sides, int32_t i, int32_t stop,
+                                     int hdr)
+{
+    for (; i < stop; i++) {
+        tp_cube_ray ray = tp_cube_face(-run->vx[i], -run->vy[i], -run->vz[i]);
+        uint32_t    light = tp_cube_sample(shade, &ray, &sides->side[ray.face]);
+        run->colour[i] = tp_sky_colour(shade, light, hdr);
+    }
+}
+
 TP_ALWAYS_INLINE void shade_cube(const tp_shade *shade, tp_run *run, int hdr)
 {
     TP_ASSERT(shade->env.cube != NULL);
     tp_cube_sides sides = { .level = -1 };
 
-    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
+    tp_run_fill_sky_vectors(shade, run);
     select_cube_sides(&sides, shade->env.cube, tp_env_mip_level(shade, TP_ENV_CUBE, 0));
-    for (int32_t i = 0; i < run->count; ) {
-        int32_t stop = tp_block_end(run, i);
+    for (int32_t i = 0, stop; i < run->count; i = stop) {
+        stop = tp_block_end(run, i);
         if (TP_WIDE) {
             shade_cube_wide(shade, run, sides.side, i, stop, hdr);
-            i = stop;
+            continue;
         }
-        for (; i < stop; i++) {
-            tp_cube_ray ray = tp_cube_face(-run->vx[i], -run->vy[i], -run->vz[i]);
-            uint32_t    light = tp_cube_sample(shade, &ray, &sides.side[ray.face]);
-            run->colour[i] = tp_sky_colour(shade, light, hdr);
-        }
+        const int face = tp_cube_face(-run->vx[i], -run->vy[i], -run->vz[i]).face;
+        const face_block block = face_block_make(run, face);
+        if (is_on_face(&block, i, stop - 1))
+            shade_face(shade, run, face, &block, &sides.side[face], i, stop, hdr);
+        else
+            shade_any_face(shade, run, &sides, i, stop, hdr);
     }
 }
 
@@ -217,7 +281,7 @@ TP_ALWAYS_INLINE void shade_dome(const tp_shade *shade, tp_run *run, int hdr)
     TP_ASSERT(shade->env.dome != NULL);
     const int32_t count = run->count;
 
-    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
+    tp_run_fill_sky_vectors(shade, run);
     if (TP_WIDE) {
         shade_dome_wide(shade, run, hdr);
         return;
