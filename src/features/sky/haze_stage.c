@@ -26,9 +26,11 @@ void tp_stage_haze(const tp_shade *restrict shade, tp_run *restrict run)
     const uint32_t horizon = shade->sky[0], scale = mine->scale;
     const int32_t  count = run->count;
 
-    for (int32_t i = 0; i < count; i++)
-        run->colour[i] = tp_colour_mix(run->colour[i], horizon,
-                                       haze_share(scale, run->key[i]));
+    for (int32_t i = 0; i < count; i++) {
+        uint32_t share = haze_share(scale, run->key[i]);
+        if (TP_WIDE || share > 0)
+            run->colour[i] = tp_colour_mix(run->colour[i], horizon, share);
+    }
 }
 
 /* Returns the horizon's colour in column x.  A cube is read at the mipmap level of the
@@ -56,21 +58,35 @@ TP_ALWAYS_INLINE void haze_columns(uint32_t a, uint32_t b, uint32_t scale, int32
     }
 }
 
+/* Returns the first sample of [i, stop) that has haze, or `stop`. */
+TP_ALWAYS_INLINE int32_t find_hazy(const tp_run *run, uint32_t scale, int32_t i,
+                                   int32_t stop)
+{
+    while (i < stop && haze_share(scale, run->key[i]) == 0)
+        i++;
+    return i;
+}
+
+/* Samples without haze keep their colours: blocks without haze need no horizon. */
 TP_ALWAYS_INLINE void haze_run(const tp_shade *restrict shade, tp_run *restrict run,
                                tp_env_kind kind)
 {
     const tp_haze *mine = run->mine;
     const uint32_t scale = mine->scale;
-    int32_t  x = run->x, end = run->x + run->count;
-    uint32_t a = sample_horizon(shade, kind, x & ~15, run->y);
+    int32_t  known = -1;        /* column of the horizon's colour b */
+    uint32_t b = 0;
 
-    for (int32_t i = 0; x < end; ) {
-        int32_t  from = x & ~15, stop = from + 16 < end ? from + 16 : end;
-        uint32_t b = sample_horizon(shade, kind, from + 16, run->y);
-        haze_columns(a, b, scale, x - from, stop - x, run->key + i, run->colour + i);
-        i += stop - x;
-        x = stop;
-        a = b;
+    for (int32_t i = 0; i < run->count; ) {
+        int32_t stop = tp_block_end(run, i), first = find_hazy(run, scale, i, stop);
+        if (first < stop) {
+            int32_t  x = (run->x + first) & ~15;
+            uint32_t a = x == known ? b : sample_horizon(shade, kind, x, run->y);
+            known = x + 16;
+            b = sample_horizon(shade, kind, known, run->y);
+            haze_columns(a, b, scale, run->x + first - x, stop - first,
+                         run->key + first, run->colour + first);
+        }
+        i = stop;
     }
 }
 
