@@ -197,11 +197,14 @@ typedef struct {
 /* The stages of each module, in the order of its table. */
 #define TP_STAGES_OF_sky_dome(X) \
     X(sky_dome) X(sky_dome_hdr) X(quick_sky_dome)   /* empty view */ \
-    X(reflect_dome)                                 /* mirror, rx rz of water */
-#define TP_STAGES_OF_sky_cube(X)    X(sky_cube) X(sky_cube_hdr) X(reflect_cube)
-#define TP_STAGES_OF_stars(X)       X(stars)
+    X(reflect_dome)                                 /* mirror, rx rz of water */ \
+    X(sky_dome_fast)                                /* rays at every 16th column */
+#define TP_STAGES_OF_sky_cube(X) \
+    X(sky_cube) X(sky_cube_hdr) X(reflect_cube) X(sky_cube_fast)
+#define TP_STAGES_OF_stars(X)       X(stars) X(stars_fast)
 #define TP_STAGES_OF_haze(X) \
-    X(haze) X(haze_dome) X(haze_cube)       /* towards each sky's horizon */
+    X(haze) X(haze_dome) X(haze_cube)       /* towards each sky's horizon */ \
+    X(haze_fast)                            /* by blocks of 16 columns */
 #define TP_STAGES_OF_boat(X) \
     X(solid) X(solid_blinn)         /* Phong or Blinn */ \
     X(solid_fast)           /* by the light of vertices */

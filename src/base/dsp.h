@@ -40,6 +40,21 @@ TP_ALWAYS_INLINE uint32_t tp_uhadd8(uint32_t a, uint32_t b)
 #endif
 }
 
+/* Sum of the absolute differences of four pairs of bytes. */
+TP_ALWAYS_INLINE uint32_t tp_usad8(uint32_t a, uint32_t b)
+{
+#if TP_DSP
+    return __usad8(a, b);
+#else
+    uint32_t sum = 0;
+    for (int i = 0; i < 32; i += 8) {
+        int32_t d = (int32_t)(a >> i & 0xff) - (int32_t)(b >> i & 0xff);
+        sum += (uint32_t)(d < 0 ? -d : d);
+    }
+    return sum;
+#endif
+}
+
 /* Adds two pairs of signed 16-bit halves; each sum saturates to 16 bits. */
 TP_ALWAYS_INLINE uint32_t tp_qadd16(uint32_t a, uint32_t b)
 {

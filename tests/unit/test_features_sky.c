@@ -44,6 +44,9 @@ static tp_scene sky_scene(int32_t kind)
     s.hdr.exposure = chance_int(&chance, 0, 1);
     s.hdr.exposure_factor = chance_fx(&chance, 0.5, 2);
     s.sky.stars = TP_FX_ONE;
+    s.sky.haze = chance_int(&chance, 0, 1) * chance_fx(&chance, 20, 500);
+    s.quality.sky = chance_int(&chance, TP_RUNG_AUTO, TP_RUNG_FAST);
+    s.quality.haze = chance_int(&chance, TP_RUNG_AUTO, TP_RUNG_FAST);
     return s;
 }
 
@@ -112,6 +115,17 @@ static void skies_are_carved_for_those_who_have_them(void **state)
     s.sky.kind = TP_SKY_DAY;
     assert_in_range(tp_frame_bytes(&c, &s), plain + sizeof(tp_dome),
                     plain + sizeof(tp_dome) + 16);
+    s.quality.sky = TP_RUNG_FAST;
+    assert_in_range(tp_frame_bytes(&c, &s), plain + sizeof(tp_dome),
+                    plain + sizeof(tp_dome) + 16);
+    s.sky.haze = 100 * TP_FX_ONE;
+    const size_t exact = tp_frame_bytes(&c, &s);
+    s.quality.haze = TP_RUNG_FAST;      /* the horizon's colours */
+    assert_int_equal(tp_frame_bytes(&c, &s) - exact,
+                     ((sizeof(tp_horizon) + 7) & ~(size_t)7) - sizeof(tp_haze));
+    s.sky.kind = TP_SKY_GRADIENT;       /* one colour */
+    assert_int_equal(tp_frame_bytes(&c, &s), plain);
+    s.sky.haze = scene_plain().sky.haze;
     s.sky.kind = TP_SKY_GRADIENT;
     s.hdr.exposure_factor = 2 * TP_FX_ONE;
     const size_t toned = plain + 256 * sizeof(tp_entry8) + sizeof(tp_rgb565_tone_map);

@@ -208,7 +208,7 @@ static void air_takes_the_horizon_s_colour_in_its_direction(void **state)
         sky_dome(&sky, &s, &chance);
         s.env.beyond = 0;
         run_any(&r, 0, &chance);
-        const tp_haze haze = { (uint32_t)random_next(&chance)
+        const tp_haze haze = { .scale = (uint32_t)random_next(&chance)
                                >> chance_int(&chance, 0, 31) };
         r.run.mine = &haze;
         const tp_run before = r.run;

@@ -116,7 +116,7 @@ static void haze_goes_into_the_horizon(void **state)
         run_any(&r, 0, &chance);
         const double zi_near = 0.25 * 255 / 256 * 65536;
         const int32_t half = chance_int(&chance, 1, 32000);     /* metres */
-        const tp_haze haze = { (uint32_t)(half * 65536.0 * 64 / zi_near) };
+        const tp_haze haze = { .scale = (uint32_t)(half * 65536.0 * 64 / zi_near) };
         r.run.mine = &haze;
         const tp_run before = r.run;
         tp_stage_haze(&s, &r.run);
@@ -172,7 +172,7 @@ static void runs_may_be_cut_anywhere(void **state)
             r.run.sz[i] = (int16_t)chance_int(&chance, -5000, 5000);
         }
         tp_stage_light(&s, &r.run);
-        const tp_haze haze = { (uint32_t)random_next(&chance)
+        const tp_haze haze = { .scale = (uint32_t)random_next(&chance)
                                >> chance_int(&chance, 0, 31) };
         stage *const chosen = stages[n % STAGES];
         r.run.mine = chosen == tp_stage_expose ? (const void *)&exposure

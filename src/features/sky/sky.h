@@ -9,9 +9,11 @@
  *                        the cost of their pixels
  *     sky_stage.c        the visible cube map of six textures, the visible dome, exact; their
  *                        reflections
- *     fast_dome_stage.c  the visible dome, by a fast stage
- *     stars_stage.c      stars
- *     haze_stage.c       the rule of haze, and its stages, one for each kind of sky
+ *     fast_dome_stage.c  the visible dome, by fast stages
+ *     fast_cube_stage.c  the visible cube, by a fast stage
+ *     stars_stage.c      stars, exact and fast
+ *     haze_stage.c       the rule of haze; its exact stages, one for each kind of sky, and
+ *                        its fast stage
  */
 #ifndef TP_FEATURES_SKY_SKY_H
 #define TP_FEATURES_SKY_SKY_H
@@ -39,8 +41,8 @@ TP_ALWAYS_INLINE uint32_t tp_sky_colour(const tp_shade *shade, uint32_t light, i
 
 /* -- fast shading of the visible dome ------------------------------------------------ */
 
-/* The colour is looked up at every 16th column and linear in between.  Close to the sun
- * the colour is looked up at every column.
+/* The colour is looked up at every 16th or 32nd column and linear in between.  Close to the
+ * sun the colour, or its glow, is looked up at every column.
  *
  * Channels are 8.8 in the halves of a word, so one addition serves two channels. */
 
@@ -49,19 +51,26 @@ typedef struct {
     uint32_t rb, g, rb_step, g_step;
 } tp_quick_shade;
 
-static inline tp_quick_shade tp_quick_shade_make(uint32_t a, uint32_t b)
+/* `log2_columns`, 4 or 5, is a literal: the colours a and b are 16 or 32 columns apart. */
+static inline tp_quick_shade tp_quick_shade_make_long(uint32_t a, uint32_t b, int log2_columns)
 {
-    uint32_t from = tp_even_bytes(a), to = tp_even_bytes(b);
+    const uint32_t from = tp_even_bytes(a), to = tp_even_bytes(b);
+    const int32_t  factor = 256 >> log2_columns;
 
     return (tp_quick_shade){
         .rb = (from << 8) + 0x00800080, .g = (a & 0xff00) + 0x80,
-        .rb_step = tp_pair16((tp_high16(to) - tp_high16(from)) * 16,
-                             (tp_low16(to) - tp_low16(from)) * 16),
-        .g_step = ((b & 0xff00) - (a & 0xff00)) >> 4,
+        .rb_step = tp_pair16((tp_high16(to) - tp_high16(from)) * factor,
+                             (tp_low16(to) - tp_low16(from)) * factor),
+        .g_step = ((b & 0xff00) - (a & 0xff00)) >> log2_columns,
     };
 }
 
-/* Fills columns [k, end) of a block of 16. */
+static inline tp_quick_shade tp_quick_shade_make(uint32_t a, uint32_t b)
+{
+    return tp_quick_shade_make_long(a, b, 4);
+}
+
+/* Fills columns [k, end) of a block. */
 static inline void tp_gradient_fill_scalar(uint32_t *colour, tp_quick_shade s, int32_t k,
                                            int32_t end)
 {
@@ -95,10 +104,34 @@ static inline void tp_gradient_fill_packed(uint32_t *colour, tp_quick_shade s, i
 
 #define TP_HAZE_ID TP_MODULE_ID('h', 'a', 'z', 'e')
 
+/* Inputs of the horizon's colours; any change makes them anew. */
+typedef struct {
+    tp_dome_config dome;
+    int32_t  kind, level, lx, ly, lz;
+    uint32_t beyond;
+} tp_horizon_source;
+
 /* Data of the haze stages, in tp_run.mine. */
 typedef struct {
     uint32_t scale;             /* factor from zi to table entries, Q0.32 */
+    uint16_t laid;              /* 1: the first member of a tp_horizon */
+    uint16_t around;            /* 1: fast stages read tp_horizon.colour, 0: shade->sky[0] */
 } tp_haze;
+
+/* The horizon's colours around the compass, 0x00RRGGBB, for the fast stage.  Entry i of the
+ * four sides towards +x, +z, -x and -z lies in the direction with a tangent of
+ * 2 i / TP_HORIZON_SIDE - 1 to the side's right. */
+#define TP_HORIZON_SIDE 64
+#define TP_HORIZON (4 * TP_HORIZON_SIDE)
+
+typedef struct {
+    tp_haze  haze;
+    uint32_t colour[TP_HORIZON + 1];
+    tp_horizon_source made_of;
+} tp_horizon;
+
+/* Fills the colours from the sky of shade->env. */
+void tp_horizon_make(uint32_t colour[TP_HORIZON + 1], const tp_shade *shade);
 
 #define TP_HAZE 512
 extern const tp_entry8 tp_haze_table[TP_HAZE + 1];      /* horizon's share of 255 */

@@ -11,7 +11,7 @@
 /* The tables are rebuilt when the scene's sky numbers have changed. */
 
 /* Indices in the program's table of stages. */
-enum { DOME_SKY, DOME_SKY_HDR, DOME_SKY_FAST, DOME_REFLECTION };
+enum { DOME_SKY, DOME_SKY_HDR, DOME_SKY_QUICK, DOME_REFLECTION, DOME_SKY_FAST };
 
 static bool is_same(const tp_dome_config *a, const tp_dome_config *b)
 {
@@ -43,16 +43,26 @@ static void begin_dome(tp_frame *frame, void *mine)
     env->dome = dome;
 }
 
-/* Returns the stage of the visible sky.  The fast stage does not compute the view vectors
- * needed by stars, so stars exclude the fast stage. */
+/* True if the scene asks for the fast sky. */
+static bool is_sky_fast(const tp_frame *frame)
+{
+    return frame->scene->quality.sky == TP_RUNG_FAST;
+}
+
+/* Returns the stage of the visible sky: the rung that the scene names; else a fast stage
+ * with fast water, if the sky has neither stars nor light above white.  No fast stage
+ * computes the view vectors that the exact stage of stars reads. */
 static tp_stage select_dome_sky_stage(const tp_frame *frame, const tp_stage *stage)
 {
     const tp_env *env = &frame->shade.env;
 
+    if (is_sky_fast(frame) && stage[DOME_SKY_FAST])
+        return stage[DOME_SKY_FAST];
     if (env->beyond)
         return stage[DOME_SKY_HDR];
-    if (frame->rungs.shading == TP_SHADING_QUICK && env->stars == 0 && stage[DOME_SKY_FAST])
-        return stage[DOME_SKY_FAST];
+    if (frame->rungs.shading == TP_SHADING_QUICK && env->stars == 0
+        && stage[DOME_SKY_QUICK])
+        return stage[DOME_SKY_QUICK];
     return stage[DOME_SKY];
 }
 
@@ -120,14 +130,17 @@ static void begin_stars(tp_frame *frame, void *mine)
     env->recip = s->recip;
 }
 
-/* Adds the stars' stage.  It reads the view vectors of the dome's stage, which may be
- * missing. */
+/* Indices in the program's table of stages. */
+enum { STARS, STARS_FAST };
+
+/* Adds the stars' stage.  The exact stage reads the vectors of the dome's exact stage. */
 static void add_stars_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                             tp_shaders *list)
 {
     if (list->kind == TP_LIST_SKY && !frame->under && frame->shade.env.stars > 0
         && tp_shaders_has(list, TP_AT_COLOUR))
-        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
+        tp_shaders_add(list, TP_AT_COLOUR, stage[is_sky_fast(frame) ? STARS_FAST : STARS],
+                       mine);
 }
 
 /* -- the module stars ---------------------------------------------------------------- */
@@ -159,7 +172,7 @@ const tp_drawing tp_stars_drawing = {
 /* -- a cube map of six textures ------------------------------------------------------ */
 
 /* Indices in the program's table of stages. */
-enum { CUBE_SKY, CUBE_SKY_HDR, CUBE_REFLECTION };
+enum { CUBE_SKY, CUBE_SKY_HDR, CUBE_REFLECTION, CUBE_SKY_FAST };
 
 typedef struct {
     tp_cube  cube;
@@ -188,12 +201,18 @@ static void begin_cube(tp_frame *frame, void *mine)
     env->recip = sky->recip;
 }
 
+static tp_stage select_cube_sky_stage(const tp_frame *frame, const tp_stage *stage)
+{
+    if (is_sky_fast(frame) && stage[CUBE_SKY_FAST])
+        return stage[CUBE_SKY_FAST];
+    return stage[frame->shade.env.beyond ? CUBE_SKY_HDR : CUBE_SKY];
+}
+
 static void add_cube_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
                             tp_shaders *list)
 {
     if (list->kind == TP_LIST_SKY && !frame->under)
-        tp_shaders_add(list, TP_AT_COLOUR,
-                       stage[frame->shade.env.beyond ? CUBE_SKY_HDR : CUBE_SKY], mine);
+        tp_shaders_add(list, TP_AT_COLOUR, select_cube_sky_stage(frame, stage), mine);
     if (tp_frame_reflects_sky(frame, list))
         tp_shaders_add(list, TP_AT_REFLECT, stage[CUBE_REFLECTION], mine);
 }
@@ -227,6 +246,51 @@ const tp_drawing tp_sky_cube_drawing = {
 
 /* A stage in every shader list except the sky's. */
 
+enum { HAZE_FAST = TP_ENV_CUBE + 1 };   /* the first stages are in the order of tp_env_kind */
+
+/* True if the fast stage needs the colours around the horizon. */
+static bool needs_horizon(const tp_scene *scene)
+{
+    return scene->quality.haze == TP_RUNG_FAST && scene->sky.kind != TP_SKY_GRADIENT;
+}
+
+static void init_haze(tp_frame *frame, void *mine)
+{
+    tp_haze *haze = mine;
+
+    haze->laid = needs_horizon(frame->scene);
+    if (haze->laid)
+        ((tp_horizon *)mine)->made_of.kind = -1;
+}
+
+static bool is_same_source(const tp_horizon_source *a, const tp_horizon_source *b)
+{
+    return a->kind == b->kind && a->level == b->level && a->beyond == b->beyond
+        && a->lx == b->lx && a->ly == b->ly && a->lz == b->lz
+        && is_same(&a->dome, &b->dome);
+}
+
+/* Makes the horizon's colours if the sky or the light has changed. */
+static void refresh_horizon(tp_horizon *horizon, const tp_shade *shade)
+{
+    const tp_env *env = &shade->env;
+    tp_horizon_source source = {
+        .kind = (int32_t)env->kind, .level = tp_env_mip_level(shade, env->kind, 0),
+        .beyond = env->beyond,
+    };
+
+    if (env->kind == TP_ENV_DOME) {
+        source.dome = env->dome->made_of;
+        source.lx = shade->world.lx;
+        source.ly = shade->world.ly;
+        source.lz = shade->world.lz;
+    }
+    if (is_same_source(&source, &horizon->made_of))
+        return;
+    tp_horizon_make(horizon->colour, shade);
+    horizon->made_of = source;
+}
+
 static void begin_haze(tp_frame *frame, void *mine)
 {
     tp_haze *haze = mine;
@@ -234,15 +298,31 @@ static void begin_haze(tp_frame *frame, void *mine)
     TP_ASSERT(frame->projection.zi_near > 0);
     haze->scale =
         (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->projection.zi_near);
+    haze->around = haze->laid && frame->shade.env.kind != TP_ENV_GRADIENT
+                   && frame->scene->quality.haze == TP_RUNG_FAST;
+    if (haze->around)
+        refresh_horizon(mine, &frame->shade);
 }
 
-/* Adds the stage for the kind of sky; `stage` is in the order of tp_env_kind.  Under
- * water there is no haze. */
+/* Returns the stage for the kind of sky.  Without memory for the horizon's colours the fast
+ * stage draws below the gradient only. */
+static tp_stage select_haze_stage(const tp_frame *frame, const tp_haze *haze,
+                                  const tp_stage *stage)
+{
+    const tp_env_kind kind = frame->shade.env.kind;
+
+    if (frame->scene->quality.haze == TP_RUNG_FAST && stage[HAZE_FAST]
+        && (haze->around || kind == TP_ENV_GRADIENT))
+        return stage[HAZE_FAST];
+    return stage[kind];
+}
+
+/* Under water there is no haze. */
 static void add_haze_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                            tp_shaders *list)
 {
     if (list->kind != TP_LIST_SKY && !frame->under)
-        tp_shaders_add(list, TP_AT_AIR, stage[frame->shade.env.kind], mine);
+        tp_shaders_add(list, TP_AT_AIR, select_haze_stage(frame, mine, stage), mine);
 }
 
 /* -- the module haze ----------------------------------------------------------------- */
@@ -254,8 +334,9 @@ bool tp_haze_enabled(const tp_module_conditions *conditions)
 
 static void *layout_haze(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(tp_haze));
+    const bool fast = needs_horizon(conditions->scene);
+
+    return tp_arena_alloc(arena, 1, fast ? sizeof(tp_horizon) : sizeof(tp_haze));
 }
 
 const tp_module tp_haze_module = {
@@ -263,7 +344,8 @@ const tp_module tp_haze_module = {
 };
 
 const tp_drawing tp_haze_drawing = {
-    .layout = layout_haze, .begin = begin_haze, .stages = add_haze_stage,
+    .layout = layout_haze, .init = init_haze, .begin = begin_haze,
+    .stages = add_haze_stage,
 };
 
 /* -- cost ---------------------------------------------------------------------------- */
