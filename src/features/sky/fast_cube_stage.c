@@ -96,15 +96,21 @@ TP_NEVER_INLINE uint32_t clamp_light(const tp_shade *shade, uint32_t light)
     return tp_light_colour_clamped(shade, light);
 }
 
-/* Returns the colour of column k of a way over one face. */
-TP_ALWAYS_INLINE uint32_t sample_face(const tp_shade *shade, const face_way *way, int32_t k)
+/* Returns the colour at a position on the face of a way. */
+TP_ALWAYS_INLINE uint32_t sample_face(const tp_shade *shade, const face_way *way, int32_t u,
+                                      int32_t v)
 {
-    const int32_t u = way->u + k * way->du, v = way->v + k * way->dv;
     const uint32_t *at = way->texel + ((v >> 12) << way->log2_w) + (u >> 12);
     uint32_t light = mix_texels(at, 1 << way->log2_w, (uint32_t)u >> 8 & 15,
                                 (uint32_t)v >> 8 & 15) & way->mask;
 
     return light >> 24 ? clamp_light(shade, light) : light;
+}
+
+/* Returns the colour of column k of a way over one face. */
+TP_NEVER_INLINE uint32_t sample_column(const tp_shade *shade, const face_way *way, int32_t k)
+{
+    return sample_face(shade, way, way->u + k * way->du, way->v + k * way->dv);
 }
 
 /* Returns the colour of column k of a way over an edge. */
@@ -134,45 +140,65 @@ TP_ALWAYS_INLINE void put_four(uint32_t *to, const uint32_t colour[4], int32_t f
 
 /* Fills columns [k, end) of the block between two knots; `to` is column k.  Every fourth
  * column is sampled, and the column in the middle if its neighbours differ by more than
- * `smooth`, summed over the channels; the columns between get means.  `left` is the colour
- * of column k & -4; returns that of the column after the last four.  `edge`, 0 if the block
- * lies on one face, and `whole`, 1 for columns 0..15, are literals. */
-TP_ALWAYS_INLINE uint32_t fill_fours(const tp_shade *shade, const face_way *way,
-                                     const cube_knot *a, const cube_knot *b, uint32_t *to,
-                                     uint32_t left, int32_t k, int32_t end, int32_t smooth,
-                                     int edge, int whole)
+ * `smooth`, summed over the channels; the columns between get means.  `edge` is a literal:
+ * 0 if the block lies on one face. */
+TP_ALWAYS_INLINE void fill_fours(const tp_shade *shade, const face_way *way,
+                                 const cube_knot *a, const cube_knot *b, uint32_t *to,
+                                 int32_t k, int32_t end, int32_t smooth, int edge)
 {
-    for (int32_t first = k & -4; first < end; first += 4) {
+    int32_t  first = k & -4;
+    uint32_t left = edge ? sample_edge(shade, a, b, first)
+                         : sample_column(shade, way, first);
+
+    for (; first < end; first += 4) {
         uint32_t right = edge ? sample_edge(shade, a, b, first + 4)
-                              : sample_face(shade, way, first + 4);
+                              : sample_column(shade, way, first + 4);
         uint32_t middle = tp_uhadd8(left, right);
         if ((int32_t)tp_usad8(left, right) > smooth)
             middle = edge ? sample_edge(shade, a, b, first + 2)
-                          : sample_face(shade, way, first + 2);
+                          : sample_column(shade, way, first + 2);
         const uint32_t colour[4] = { left, tp_uhadd8(left, middle), middle,
                                      tp_uhadd8(middle, right) };
-        if (whole)
-            put_four(to + first, colour, 0, 0, 4);
-        else
-            put_four(to, colour, first, k, end);
+        put_four(to, colour, first, k, end);
         left = right;
     }
-    return left;
 }
 
 TP_NEVER_INLINE void fill_part(const tp_shade *shade, const face_way *way, uint32_t *to,
                                int32_t k, int32_t end, int32_t smooth)
 {
-    uint32_t left = sample_face(shade, way, k & -4);
-    fill_fours(shade, way, NULL, NULL, to, left, k, end, smooth, 0, 0);
+    fill_fours(shade, way, NULL, NULL, to, k, end, smooth, 0);
 }
 
 TP_NEVER_INLINE void fill_edge(const tp_shade *shade, const cube_knot *a,
                                const cube_knot *b, uint32_t *to, int32_t k, int32_t end,
                                int32_t smooth)
 {
-    uint32_t left = sample_edge(shade, a, b, k & -4);
-    fill_fours(shade, NULL, a, b, to, left, k, end, smooth, 1, 0);
+    fill_fours(shade, NULL, a, b, to, k, end, smooth, 1);
+}
+
+/* Fills a whole block over one face with the colours of fill_fours.  `left` is the colour
+ * of column 0; returns that of column 16. */
+TP_NEVER_INLINE uint32_t fill_whole(const tp_shade *shade, const face_way *way, uint32_t *to,
+                                    uint32_t left, int32_t smooth)
+{
+    const int32_t du = 4 * way->du, dv = 4 * way->dv;
+    int32_t u = way->u, v = way->v;
+
+    for (const uint32_t *end = to + 16; to < end; to += 4) {
+        u += du;
+        v += dv;
+        uint32_t right = sample_face(shade, way, u, v);
+        uint32_t middle = tp_uhadd8(left, right);
+        if ((int32_t)tp_usad8(left, right) > smooth)
+            middle = sample_column(shade, way, 18 - (int32_t)(end - to));
+        to[0] = left;
+        to[1] = tp_uhadd8(left, middle);
+        to[2] = middle;
+        to[3] = tp_uhadd8(middle, right);
+        left = right;
+    }
+    return left;
 }
 
 /* The colour of a knot that is not known. */
@@ -198,8 +224,8 @@ TP_ALWAYS_INLINE void fill_cube_block(const tp_shade *shade, const cube_knot *a,
         fill_part(shade, &way, run->colour + i, k, end, smooth);
     } else {
         if (left == UNKNOWN)
-            left = sample_face(shade, &way, 0);
-        *last = fill_fours(shade, &way, a, b, run->colour + i, left, 0, 16, smooth, 0, 1);
+            left = sample_column(shade, &way, 0);
+        *last = fill_whole(shade, &way, run->colour + i, left, smooth);
     }
 }
 
