@@ -223,7 +223,8 @@ TP_NEVER_INLINE void haze_block(const tp_shade *shade, tp_run *run, int32_t i, i
     if (stop - i == 16 && is_linear(run, mine->scale, i, p, q))
         mix_linear(run->colour + i, a, b, p, q);
     else
-        mix_block(run, mine->scale, a, b, i, stop);
+        haze_columns(a, b, mine->scale, run->x + i - x, stop - i, run->key + i,
+                     run->colour + i);
 }
 
 void tp_stage_haze_fast(const tp_shade *shade, tp_run *run)
