@@ -7,8 +7,9 @@
  * corners along both diagonals, counted from the cell's own pixel: a tile changes no bit.
  * A corner is off the plane by a quarter of the cell's twist.
  *
- * Other cells are drawn as triangles: those wider or higher than 64 px, thinner than
- * 1/16 px, not convex, or so deep that affine s and t would stray by more than STRAY.
+ * The triangles of a cell that is not convex have a plane each.  Cells wider or higher than
+ * 64 px, thinner than 1/16 px, or so deep that affine s and t would stray by more than STRAY
+ * are drawn as exact triangles.
  *
  * Bits: sides are at most 2^10 in 28.4 px and areas at most 2^21. */
 #include "base/dsp.h"
@@ -260,6 +261,60 @@ TP_ALWAYS_INLINE void fill_rows(const cell *of, const tp_gbuffer *tile, uint32_t
 
 /* -- cells --------------------------------------------------------------------------- */
 
+/* Bounds of corners, 28.4 px. */
+typedef struct {
+    int32_t u0, u1, v0, v1;
+} bounds;
+
+TP_ALWAYS_INLINE bounds make_bounds(const tp_screen_vertex *a, const tp_screen_vertex *b,
+                                    const tp_screen_vertex *c, const tp_screen_vertex *d)
+{
+    return (bounds){
+        least(least(a->u, b->u), least(c->u, d->u)), most(most(a->u, b->u), most(c->u, d->u)),
+        least(least(a->v, b->v), least(c->v, d->v)), most(most(a->v, b->v), most(c->v, d->v)),
+    };
+}
+
+static int32_t longest_side(const bounds *b)
+{
+    return most(b->u1 - b->u0, b->v1 - b->v0);
+}
+
+/* Draws a convex cell of corners in turn.  Returns false if it is too coarse. */
+static __attribute__((noinline)) bool draw_plane(const tp_gbuffer *tile, cell *of,
+                                                 const bounds *b, int32_t area)
+{
+    const int32_t y = most(tp_first_centre(b->v0), tile->y0);
+    const int32_t bottom = least(tp_first_centre(b->v1), tile->y1);
+    uint32_t topmost = 0;
+
+    if (y >= bottom)
+        return true;
+    of->left = b->u0 >> 4;
+    if (!set_cell(of, area, longest_side(b)))
+        return false;
+    while (of->corner[topmost]->v > b->v0)
+        topmost++;
+    fill_rows(of, tile, topmost, y, bottom);
+    return true;
+}
+
+/* Draws a triangle as a cell whose last two corners are one: the plane is exact. */
+static void draw_half(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                      const tp_screen_vertex *b, const tp_screen_vertex *c, int32_t area)
+{
+    const bounds box = make_bounds(a, b, c, c);
+    cell of;
+
+    if (area == 0 || (tile->front_only && area > 0))
+        return;
+    of.corner[0] = a;
+    of.corner[1] = area < 0 ? b : c;
+    of.corner[2] = of.corner[3] = area < 0 ? c : b;
+    if (!draw_plane(tile, &of, &box, area < 0 ? -area : area))
+        tp_tri_water(tile, a, b, c);
+}
+
 /* Puts the corners in turn.  Returns the doubled area of a convex cell, where each corner
  * and its neighbours turn the same way; else 0. */
 TP_ALWAYS_INLINE int32_t set_corners(cell *to, const tp_screen_vertex left[2],
@@ -280,31 +335,22 @@ TP_ALWAYS_INLINE int32_t set_corners(cell *to, const tp_screen_vertex left[2],
 void tp_cell_water_fast(const tp_gbuffer *tile, const tp_screen_vertex left[2],
                         const tp_screen_vertex right[2])
 {
-    const int32_t u0 = least(least(left[0].u, left[1].u), least(right[0].u, right[1].u));
-    const int32_t u1 = most(most(left[0].u, left[1].u), most(right[0].u, right[1].u));
-    const int32_t v0 = least(least(left[0].v, left[1].v), least(right[0].v, right[1].v));
-    const int32_t v1 = most(most(left[0].v, left[1].v), most(right[0].v, right[1].v));
-    const int32_t side = most(u1 - u0, v1 - v0);
+    const bounds box = make_bounds(&left[0], &left[1], &right[0], &right[1]);
     cell of;
 
-    if (side > SIDE_MOST) {
+    if (longest_side(&box) > SIDE_MOST) {
         tp_cell_water(tile, left, right);
         return;
     }
-    const int32_t y = most(tp_first_centre(v0), tile->y0);
-    const int32_t bottom = least(tp_first_centre(v1), tile->y1);
     const int32_t a = twice_area(&left[0], &left[1], &right[1]);
     const int32_t b = twice_area(&left[0], &right[1], &right[0]);
-    if (y >= bottom || (tile->front_only && a >= 0 && b >= 0))
+    if (tile->front_only && a >= 0 && b >= 0)
         return;
     const int32_t area = set_corners(&of, left, right, a, b);
-    of.left = u0 >> 4;
-    if (area == 0 || !set_cell(&of, area, side)) {
+    if (area == 0) {
+        draw_half(tile, &left[0], &left[1], &right[1], a);
+        draw_half(tile, &left[0], &right[1], &right[0], b);
+    } else if (!draw_plane(tile, &of, &box, area)) {
         tp_cell_water(tile, left, right);
-        return;
     }
-    uint32_t i = 0;
-    while (of.corner[i]->v > v0)
-        i++;
-    fill_rows(&of, tile, i, y, bottom);
 }
