@@ -46,32 +46,20 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y)
 
 /* -- mean rows ----------------------------------------------------------------------- */
 
-/* Water above and below a pixel. */
-enum { NEITHER, ABOVE, BELOW, BOTH };
-
-static bool is_water(const uint32_t *key)
+/* Returns the number of pixels, up to `limit`, with water both above and below, or without;
+ * *both says which. */
+static int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t limit,
+                           bool *both)
 {
-    return key && TP_MARK(*key) == TP_MARK_WATER;
-}
-
-static int beside(const uint32_t *above, const uint32_t *below, int32_t i)
-{
-    return (is_water(above + i) ? ABOVE : 0) + (below && is_water(below + i) ? BELOW : 0);
-}
-
-/* Returns the number of pixels, up to `limit`, with the same neighbours as pixel i. */
-static int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t i,
-                           int32_t limit)
-{
-    const int kind = beside(above, below, i);
-    const uint32_t *a = above + i, *b = below + i;
     int32_t n = 1;
 
-    while (kind == BOTH && n + 2 <= limit
-           && !TP_MARK((a[n] ^ TP_MARK_WATER) | (a[n + 1] ^ TP_MARK_WATER)
-                       | (b[n] ^ TP_MARK_WATER) | (b[n + 1] ^ TP_MARK_WATER)))
+    *both = !TP_MARK((above[0] ^ TP_MARK_WATER) | (below[0] ^ TP_MARK_WATER));
+    while (*both && n + 2 <= limit
+           && !TP_MARK((above[n] ^ TP_MARK_WATER) | (above[n + 1] ^ TP_MARK_WATER)
+                       | (below[n] ^ TP_MARK_WATER) | (below[n + 1] ^ TP_MARK_WATER)))
         n += 2;
-    while (n < limit && beside(above, below, i + n) == kind)
+    while (n < limit
+           && *both == !TP_MARK((above[n] ^ TP_MARK_WATER) | (below[n] ^ TP_MARK_WATER)))
         n++;
     return n;
 }
@@ -82,35 +70,29 @@ static void mix(uint32_t *to, const uint32_t *above, const uint32_t *below, int3
         to[i] = tp_uhadd8(above[i], below[i]);
 }
 
-/* Fills the row's colours from its neighbours where both or one of them are water too, and
- * shades the rest. */
+/* Fills the row's colours: means of both neighbours where these are water too.  The rest is
+ * shaded, and so is the last row of a picture. */
 static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y)
 {
     const size_t at = row_index(tile, y);
-    const bool last = y + 1 >= tile->y1;        /* of the picture */
+    const bool last = y + 1 >= tile->y1;
     const uint32_t *above = tile->key + at - tile->stride;
-    const uint32_t *below = last ? NULL : tile->key + at + tile->stride;
+    const uint32_t *below = tile->key + at + tile->stride;
     uint32_t *to = tile->n + at;
     tp_run run;
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const int32_t i = x - tile->x0;
         const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y, &run);
-        int kind = NEITHER;
-        if (TP_MARK(run.key[0]) == TP_MARK_WATER) {
-            kind = beside(above, below, i);
-            run.count = count_alike(above, below, i, run.count);
-        }
-        if (kind == BOTH) {
+        bool both = false;
+        if (!last && TP_MARK(run.key[0]) == TP_MARK_WATER)
+            run.count = count_alike(above + i, below + i, run.count, &both);
+        if (both) {
             mix(to + i, to + i - tile->stride, to + i + tile->stride, run.count);
-        } else if (kind != NEITHER) {
-            const uint32_t *from = to + i + (kind == ABOVE ? -(ptrdiff_t)tile->stride
-                                                           : (ptrdiff_t)tile->stride);
-            memcpy(to + i, from, (size_t)run.count * sizeof *to);
-        } else {
-            tp_frame_shade_run(frame, list, &run);
-            memcpy(to + i, run.colour, (size_t)run.count * sizeof *to);
+            continue;
         }
+        tp_frame_shade_run(frame, list, &run);
+        memcpy(to + i, run.colour, (size_t)run.count * sizeof *to);
     }
 }
 

@@ -80,21 +80,22 @@ static bool is_water(int x, int y)
     return y >= 0 && y < HEIGHT && kind[y][x] == TP_SAMPLE_WATER;
 }
 
-/* True if a pixel of a row between has a colour of its own: its neighbours are no water.  A
- * stage takes some numbers from the first pixel of a run, and such runs are shorter. */
+/* True if a pixel of a row between is a mean: all three are water. */
+static bool is_mean(int x, int y)
+{
+    return is_between(y) && is_water(x, y) && is_water(x, y - 1) && is_water(x, y + 1);
+}
+
+/* True if the pixel is other water of a row between.  It is shaded, but in a shorter run: a
+ * stage takes some numbers from the first pixel of a run. */
 static bool is_alone(int x, int y)
 {
-    return is_between(y) && is_water(x, y) && !is_water(x, y - 1) && !is_water(x, y + 1);
+    return is_between(y) && is_water(x, y) && !is_mean(x, y);
 }
 
 static uint32_t wanted(int x, int y)
 {
-    const bool above = is_water(x, y - 1), below = is_water(x, y + 1);
-
-    if (!is_between(y) || !is_water(x, y))
-        return full[y][x];
-    return !above ? full[y + 1][x] : !below ? full[y - 1][x]
-                                            : tp_uhadd8(full[y - 1][x], full[y + 1][x]);
+    return is_mean(x, y) ? tp_uhadd8(full[y - 1][x], full[y + 1][x]) : full[y][x];
 }
 
 static void rows_between_are_means_and_others_exact(void **state)
@@ -110,7 +111,7 @@ static void rows_between_are_means_and_others_exact(void **state)
                 if (!is_alone(x, y) && (half[y][x] ^ wanted(x, y)) & 0xffffff)
                     fail_msg("pixel %d %d is %06x, not %06x", x, y, (unsigned)half[y][x],
                              (unsigned)wanted(x, y));
-                means += is_between(y) && is_water(x, y);
+                means += is_mean(x, y);
                 changed += half[y][x] != full[y][x];
             }
     }
