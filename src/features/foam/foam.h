@@ -12,6 +12,8 @@
  *     foam_access.c    cover by place, and means
  *     foam_drawing.c   the data of a frame
  *     foam_stage.c     the span stages
+ *     foam_window.c    the window's squares without cover
+ *     foam_lace.c      the pattern of bubbles
  *     foam_surf.c      cover beyond the window by the depth of the floor
  *     foam_cover.h     cover beyond the window over open water
  *     foam_wide.h      the stage's loops for vector units
@@ -178,8 +180,12 @@ typedef struct {
     uint16_t floor;             /* foam beyond the window over a floor, if far_fresh is 0:
                                  * 0 none, TP_FOAM_BEACH, or TP_FOAM_DEPTH by the
                                  * tp_foam_surf that follows */
+    bool     none;              /* no foam in this picture */
     bool     has_surf;          /* true: a tp_foam_surf follows */
-    tp_entry8 rank[256];        /* share of darker texels, by green, 0..255 */
+    uint32_t square;            /* log2 of the cells along a square; 0: none is known */
+    uint32_t empty[32];         /* bit i of word j: the stored cells of the square (i, j)
+                                 * have no cover */
+    tp_entry8 rank[256];         /* share of darker texels, by green, 0..255 */
 } tp_shade_foam;
 
 /* Foam beyond the window by the depth of the floor, a map or a plane.  Means at the depths

@@ -44,4 +44,27 @@ TP_ALWAYS_INLINE uint32_t tp_foam_open_cover(const tp_shade_foam *f, uint32_t fa
 uint32_t tp_foam_surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
                             uint32_t v);
 
+/* Returns the variance of slopes of the waves that the grid leaves out at a sample's depth,
+ * over the mean square, Q8. */
+uint32_t tp_foam_filtered_variance(const tp_shade *shade, const tp_shade_foam *f,
+                                   uint32_t key);
+
+/* Returns the cover 0..255 beyond the window at sample i of a run; v as above. */
+uint32_t tp_foam_far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i, uint32_t v);
+
+#define TP_FOAM_FAINT 10        /* less cover towards the edge and beyond shows no lace */
+
+/* Returns the lighting 128..256 of foam: ambient and direct light on the water's slope,
+ * raised by half of the difference to white, because bubbles scatter light.  Slopes above
+ * 2 (63 degrees) count as 2. */
+TP_ALWAYS_INLINE uint32_t tp_foam_light_share(const tp_shade *shade, int32_t sx, int32_t sz)
+{
+    uint32_t q = tp_slope_square(sx, sz);
+    int32_t ny = (int32_t)tp_steep_table[(q < TP_SLOPE_END ? q : TP_SLOPE_END - 1) >> 17];
+    int32_t nl = shade->world.ly - ((sx * shade->world.lx + sz * shade->world.lz) >> 12);
+
+    nl = tp_clamp(nl * (ny >> 2) >> 12, 0, 16384);
+    return (uint32_t)(256 + tp_lit_share(shade->ambient, nl)) / 2;
+}
+
 #endif

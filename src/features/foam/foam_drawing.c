@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Prepares the drawing of foam: the field's position at the drawn moment, its texture and
  * colour. */
-#include "features/foam/foam.h"
+#include "features/foam/foam_window.h"
 #include "frame/frame.h"
 #include "world/pools.h"
 
@@ -128,6 +128,14 @@ static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam 
         set_shore(f, frame->scene);
 }
 
+/* True if there may be foam beyond an empty window. */
+static bool has_far_foam(const tp_shade_foam *f)
+{
+    return f->far_fresh
+        || (f->floor == TP_FOAM_DEPTH
+            && ((const tp_shade_foam_surf *)(const void *)f)->surf.deepest > 0);
+}
+
 /* Sets the foam's colour and texture, and the place of its cover under the picture's
  * water. */
 static void begin_foam(tp_frame *frame, void *mine)
@@ -142,9 +150,11 @@ static void begin_foam(tp_frame *frame, void *mine)
     f->colour = (uint32_t)scene->foam.colour;
     place_foam(f, foam, &scene->foam.map, frame->world->lag);
     set_far_foam(frame, f, foam);
+    const bool covered = tp_foam_find_empty_squares(f, 1);
     if (f->has_surf && f->floor != TP_FOAM_BEACH && f->edge != UINT32_MAX
         && tp_world_coastal(frame->world))
         tp_foam_surf_begin(mine, foam, frame->world, scene);
+    f->none = !covered && !has_far_foam(mine);
 }
 
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
