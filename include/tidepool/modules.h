@@ -280,7 +280,10 @@ typedef struct {
 #define TP_STAGES_OF_clear_water(X) \
     X(refract) X(refract_rippled) X(refract_dispersed) X(refract_rippled_dispersed)
 #define TP_STAGES_OF_foam(X) \
-    X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* reduces glint */
+    X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* reduces glint */ \
+    X(foam_packed)      /* after fast stages */ \
+    X(foam_fast) X(foam_fast_shiny)     /* cover at each eighth column */ \
+    X(foam_plain) X(foam_plain_shiny)   /* without bubbles */
 #define TP_STAGES_OF_spray(X)       X(spray) X(spray_blend)      /* colour; streaks */
 #define TP_STAGES_OF_exposure(X)    X(expose)
 

@@ -84,7 +84,8 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(distortion, "auto|exact|nearest", 2, "distortion of fast textures: bilinear, or nearest") \
     X(ripple, "auto|exact|nearest", 2, "ripples of fast shading: bilinear, or nearest") \
     X(light, "auto|exact|fast", 2, "fast light: of each column, or of every second") \
-    X(foam, "auto|exact|fast", 2, "foam: each pixel, or pairs of pixels") \
+    X(foam, "auto|exact|fast|plain", 3, \
+      "foam: each pixel, cover at every eighth pixel, or without bubbles") \
     X(objects, "auto|exact|fast", 2, "mirrored objects: each pixel, or blocks of pixels") \
     X(refraction, "auto|exact|fast", 2, "view into water: each pixel, or a lattice") \
     X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone") \

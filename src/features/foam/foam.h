@@ -12,6 +12,7 @@
  *     foam_access.c    cover by place, and means
  *     foam_drawing.c   the data of a frame
  *     foam_stage.c     the span stages
+ *     foam_fast_stage.c    cheaper span stages
  *     foam_window.c    the window's squares without cover
  *     foam_lace.c      the pattern of bubbles
  *     foam_surf.c      cover beyond the window by the depth of the floor
@@ -214,12 +215,23 @@ typedef struct {
 void tp_foam_surf_begin(tp_shade_foam_surf *foam, const tp_foam *field,
                         const tp_world *world, const tp_scene *scene);
 
-/* name, slopes bent by a ripple, glint below the foam */
+/* name; slopes bent by a ripple, 2: packed by fast stages; glint below the foam */
 #define TP_FOAM_STAGES(X) \
     X(foam,                 0, 0) \
     X(foam_rippled,         1, 0) \
     X(foam_shiny,           0, 1) \
-    X(foam_shiny_rippled,   1, 1)
+    X(foam_shiny_rippled,   1, 1) \
+    X(foam_packed,          2, 0)
+
+/* Cheaper stages: name, lace, glint below the foam */
+#define TP_FOAM_FAST_STAGES(X) \
+    X(foam_fast,            1, 0) \
+    X(foam_fast_shiny,      1, 1) \
+    X(foam_plain,           0, 0) \
+    X(foam_plain_shiny,     0, 1)
+
+/* Words of the row quality.foam after `exact` */
+enum { TP_FOAM_FAST = TP_RUNG_FAST, TP_FOAM_PLAIN };
 
 /* Fills `rank`.  With ranks every texture turns white by the share of the cover. */
 void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture);

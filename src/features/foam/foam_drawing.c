@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Prepares the drawing of foam: the field's position at the drawn moment, its texture and
  * colour. */
+#include "features/foam/foam_cover.h"
 #include "features/foam/foam_window.h"
 #include "frame/frame.h"
 #include "world/pools.h"
@@ -128,6 +129,19 @@ static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam 
         set_shore(f, frame->scene);
 }
 
+/* Fast stages draw no cover below this, beyond the window by its largest. */
+#define FAST_LEAST 16
+
+/* Leaves out foam of open water too thin for fast stages. */
+static void leave_out_thin_foam(tp_shade_foam *f)
+{
+    const uint32_t most = ((TP_FOAM_STEEP * TP_FOAM_STEEP >> 8) * f->far_fresh >> 16)
+                        + f->far_old;
+
+    if (most < FAST_LEAST)
+        f->far_fresh = 0;
+}
+
 /* True if there may be foam beyond an empty window. */
 static bool has_far_foam(const tp_shade_foam *f)
 {
@@ -150,18 +164,37 @@ static void begin_foam(tp_frame *frame, void *mine)
     f->colour = (uint32_t)scene->foam.colour;
     place_foam(f, foam, &scene->foam.map, frame->world->lag);
     set_far_foam(frame, f, foam);
-    const bool covered = tp_foam_find_empty_squares(f, 1);
+    const bool fast = scene->quality.foam >= TP_FOAM_FAST;
+    const bool covered = tp_foam_find_empty_squares(f, fast ? FAST_LEAST : 1);
+    if (fast)
+        leave_out_thin_foam(f);
     if (f->has_surf && f->floor != TP_FOAM_BEACH && f->edge != UINT32_MAX
         && tp_world_coastal(frame->world))
         tp_foam_surf_begin(mine, foam, frame->world, scene);
     f->none = !covered && !has_far_foam(mine);
 }
 
+/* Returns the index of the stage for a list of exact or fast water. */
+static int select_stage(const tp_frame *frame, const tp_shaders *list)
+{
+    static const uint8_t exact[] = { TP_NTH_foam, TP_NTH_foam_rippled, TP_NTH_foam_shiny,
+                                     TP_NTH_foam_shiny_rippled };
+    const int32_t rung = frame->scene->quality.foam;
+
+    if (rung >= TP_FOAM_PLAIN)
+        return list->shines ? TP_NTH_foam_plain_shiny : TP_NTH_foam_plain;
+    if (rung == TP_FOAM_FAST)
+        return list->shines ? TP_NTH_foam_fast_shiny : TP_NTH_foam_fast;
+    return list->kind == TP_LIST_FAST ? TP_NTH_foam_packed
+                                      : exact[list->rippled + 2 * list->shines];
+}
+
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {
-    if (list->kind == TP_LIST_WATER && tp_foam_of_world(frame->world))
-        tp_shaders_add(list, TP_AT_MATT, stage[list->rippled + 2 * list->shines], mine);
+    if ((list->kind == TP_LIST_WATER || list->kind == TP_LIST_FAST)
+        && tp_foam_of_world(frame->world))
+        tp_shaders_add(list, TP_AT_MATT, stage[select_stage(frame, list)], mine);
 }
 
 /* True for foam over a floor: a tp_foam_surf follows its data. */

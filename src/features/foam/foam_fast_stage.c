@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: MIT */
+/* Foam for less: cover at every eighth column and at the ends of a block, linear between;
+ * the lace from the nearest texel; one light for a block.  A block whose ends and cells
+ * between have no foam to be seen costs two places.  Plain foam leaves out the lace: its
+ * opacity is the mean opacity of lace.
+ *
+ * Blocks and the columns of the cover are counted in the picture; where a run begins within
+ * a block, the picture says so: the result does not depend on the tile. */
+#include "features/foam/foam_cover.h"
+#include "features/foam/foam_lace.h"
+#include "features/foam/foam_window.h"
+#include "tidepool/modules.h"
+
+#define LEAST 24                /* cover below this is left out */
+
+/* -- kinds of blocks ----------------------------------------------------------------- */
+
+/* Returns the kind of the block by the box around its first and last sample. */
+static tp_foam_block_kind classify_by_box(const tp_shade_foam *f, const tp_run *run,
+                                          int32_t i, int32_t last)
+{
+    const uint32_t s = run->s[i] - (uint32_t)f->low_s, t = run->t[i] - (uint32_t)f->low_t;
+    const int32_t ds = (int32_t)(run->s[last] - run->s[i]) / 2,
+                  dt = (int32_t)(run->t[last] - run->t[i]) / 2;
+    const tp_foam_box box = { s + (uint32_t)ds, t + (uint32_t)dt, (uint32_t)tp_abs(ds) + 1,
+                              (uint32_t)tp_abs(dt) + 1 };
+
+    return (box.half_s | box.half_t) >> 29 ? TP_FOAM_BLOCK_MIXED
+                                           : tp_foam_box_classify(f, &box);
+}
+
+TP_ALWAYS_INLINE void set_range(uint32_t range[2], uint32_t a, uint32_t b)
+{
+    range[0] = a < b ? a : b;
+    range[1] = a < b ? b : a;
+}
+
+/* The same, for less where both samples lie in the window and no foam lies beyond. */
+static tp_foam_block_kind classify(const tp_shade_foam *f, const tp_run *run, int32_t i,
+                                   int32_t last)
+{
+    uint32_t s[2], t[2];
+
+    set_range(s, run->s[i] - (uint32_t)f->low_s, run->s[last] - (uint32_t)f->low_s);
+    set_range(t, run->t[i] - (uint32_t)f->low_t, run->t[last] - (uint32_t)f->low_t);
+    if (s[1] >= f->side || t[1] >= f->side || f->far_fresh || f->floor)
+        return classify_by_box(f, run, i, last);
+    return tp_foam_is_range_empty(f, s, t) ? TP_FOAM_BLOCK_EMPTY : TP_FOAM_BLOCK_MIXED;
+}
+
+/* -- opacity and colour -------------------------------------------------------------- */
+
+#define FAINT 6                 /* of 256: opacities of lace below this are left out */
+
+/* Mixes the colour, in the block's light, into sample i. */
+TP_ALWAYS_INLINE void mix(tp_run *run, int32_t i, uint32_t colour, uint32_t share,
+                          int has_glint)
+{
+    run->colour[i] = tp_colour_mix(run->colour[i], colour, share);
+    if (has_glint)
+        run->glint[i] = (uint16_t)(run->glint[i] * (256 - share) >> 8);
+}
+
+/* The samples i..stop, over which the cover goes from `cover` by `step` a column, Q16. */
+typedef struct {
+    int32_t i, stop, cover, step;
+} segment;
+
+/* Lace of a block.  The ramp is linear in the cover: `up` is its height at rank 0 without
+ * cover, Q16, per_cover its rise; per_up the opacity 0..240 over the height, Q16. */
+typedef struct {
+    const uint32_t *texel;
+    uint32_t repeats, drift_s, drift_t, down_s, down_t, log2_w;
+    int32_t  up, per_cover, per_up;
+} ramp;
+
+static ramp make_ramp(const tp_shade_foam *f, const tp_foam_lace *l)
+{
+    return (ramp){
+        l->level.texel, f->repeats, f->drift_s, f->drift_t, l->level.down_s,
+        l->level.down_t, l->level.log2_w,
+        (l->soft / 2 - l->middle - l->span + (l->level.texel ? 0 : 128)) * 65536,
+        l->span * TP_FOAM_LACE / 128, (int32_t)l->per_soft * TP_FOAM_OPAQUE >> 8
+    };
+}
+
+/* Returns the rank of the nearest texel, 0..255. */
+TP_ALWAYS_INLINE int32_t nearest_rank(const ramp *r, const uint8_t *rank, uint32_t s,
+                                      uint32_t t)
+{
+    const uint32_t u = (s * r->repeats + r->drift_s) >> 8 >> r->down_s,
+                   v = (t * r->repeats + r->drift_t) >> 8 >> r->down_t;
+
+    return rank[r->texel[(v << r->log2_w) + u] >> 8 & 0xff];
+}
+
+/* Returns the opacity 0..256: white by the ramp, at most 15/4 of the cover, over bubbles. */
+TP_ALWAYS_INLINE uint32_t ramp_opacity(int32_t up, int32_t per_up, uint32_t cover)
+{
+    const uint32_t most = cover < 64 ? cover * 15 / 4 : TP_FOAM_OPAQUE;
+    const uint32_t white = up > 0 ? (uint32_t)(up * per_up) >> 8 : 0;
+    const uint32_t solid = white < most ? white : most;
+
+    return solid + ((256 - solid) * cover * TP_FOAM_BAND >> 16);
+}
+
+TP_ALWAYS_INLINE void mix_laced_segment(tp_run *run, const segment *g, const ramp *block,
+                                        uint32_t colour, int has_glint)
+{
+    const tp_shade_foam *f = run->mine;
+    const ramp r = *block;
+    int32_t cover = g->cover, up = r.up + (g->cover >> 8) * r.per_cover;
+    const int32_t rise = (g->step >> 8) * r.per_cover;
+
+    for (int32_t i = g->i; i < g->stop; i++, cover += g->step, up += rise) {
+        const int32_t rank =
+            r.texel ? nearest_rank(&r, f->rank, run->s[i], run->t[i]) : 0;
+        const uint32_t share =
+            ramp_opacity((up >> 16) + rank, r.per_up, (uint32_t)cover >> 16);
+
+        if (share >= FAINT)
+            mix(run, i, colour, share, has_glint);
+    }
+}
+
+TP_ALWAYS_INLINE void mix_plain_segment(tp_run *run, const segment *g, uint32_t colour,
+                                        int has_glint)
+{
+    int32_t cover = g->cover;
+
+    for (int32_t i = g->i; i < g->stop; i++, cover += g->step)
+        mix(run, i, colour, (uint32_t)cover / 256 * TP_FOAM_MEAN_SHARE >> 16, has_glint);
+}
+
+/* -- blocks -------------------------------------------------------------------------- */
+
+/* A block of samples: its kind, values shared by them, and their colour of foam. */
+typedef struct {
+    tp_foam_block_kind kind;
+    int32_t  first;             /* the sample that gives the depth */
+    bool     ready, far;        /* lace and colour are set; `filtered` is */
+    uint32_t colour, filtered;
+    tp_foam_lace lace;
+    ramp     ramp;
+} block;
+
+/* Sets the lace and the colour in the light of the block's middle. */
+static void prepare_block(const tp_shade *shade, const tp_run *run, int32_t middle,
+                          int has_lace, block *b)
+{
+    const tp_shade_foam *f = run->mine;
+    const uint32_t n = run->n[middle];
+    const uint32_t light =
+        tp_foam_light_share(shade, (int16_t)(n >> 16), (int16_t)(n & 0xffff));
+
+    b->ready = true;
+    b->colour = tp_colour_scale(f->colour, light);
+    if (has_lace)
+        tp_foam_lace_select(shade, f, run->key[b->first], &b->lace);
+    if (has_lace)
+        b->ramp = make_ramp(f, &b->lace);
+}
+
+/* Returns the cover 0..255 at sample i. */
+static uint32_t sample_block_cover(const tp_shade *shade, const tp_run *run, int32_t i,
+                                   block *b)
+{
+    const tp_shade_foam *f = run->mine;
+    uint32_t weight = 0, cover = 0;
+
+    if (b->kind != TP_FOAM_BLOCK_OUTSIDE)   /* samples may lie beyond the box of the ends */
+        cover = tp_foam_sample_window(f, run->s[i], run->t[i], &weight);
+    if (weight == 256 || !(f->far_fresh || f->floor))
+        return (cover * weight + 128) >> 8;
+    if (!b->far)
+        b->filtered = tp_foam_filtered_variance(shade, f, run->key[b->first]);
+    b->far = true;
+    return (cover * weight
+            + tp_foam_far_cover(f, run, i, b->filtered) * (256 - weight) + 128) >> 8;
+}
+
+/* Returns the cover at sample i after the large scale of lace. */
+TP_ALWAYS_INLINE uint32_t sample_patched_cover(const tp_shade *shade, const tp_run *run,
+                                           int32_t i, int32_t stop, int has_lace, block *b)
+{
+    const uint32_t cover = sample_block_cover(shade, run, i, b);
+
+    if (cover < LEAST)
+        return 0;
+    if (!b->ready)
+        prepare_block(shade, run, (b->first + stop) / 2, has_lace, b);
+    return has_lace
+         ? tp_foam_patch_cover(run->mine, &b->lace, cover, run->s[i], run->t[i]) : cover;
+}
+
+/* Sets the rise of cover from sample g->i to sample `to`, and the end: the block's if `to`
+ * is its last sample. */
+static void end_segment(segment *g, int32_t to, int32_t stop, uint32_t cover)
+{
+    const int32_t rise = (int32_t)cover * 65536 - g->cover;
+
+    g->stop = to + 1 < stop ? to : stop;
+    g->step = to > g->i ? rise / (to - g->i) : 0;
+}
+
+TP_ALWAYS_INLINE void mix_block(const tp_shade *shade, tp_run *run, int32_t stop, block *b,
+                                int has_lace, int has_glint)
+{
+    segment g = { .i = b->first };
+    uint32_t cover = sample_patched_cover(shade, run, g.i, stop, has_lace, b);
+
+    for (; g.i < stop; g.i = g.stop) {
+        const int32_t next = g.i + 8 - ((run->x + g.i) & 7);
+        const int32_t to = next < stop - 1 ? next : stop - 1;
+        g.cover = (int32_t)cover * 65536;
+        cover = sample_patched_cover(shade, run, to, stop, has_lace, b);
+        end_segment(&g, to, stop, cover);
+        if (!(g.cover | g.step))
+            continue;
+        if (has_lace)
+            mix_laced_segment(run, &g, &b->ramp, b->colour, has_glint);
+        else
+            mix_plain_segment(run, &g, b->colour, has_glint);
+    }
+}
+
+TP_ALWAYS_INLINE void fast_run(const tp_shade *shade, tp_run *run, int has_lace,
+                               int has_glint)
+{
+    const tp_shade_foam *f = run->mine;
+
+    TP_ASSERT(f->cover != NULL && f->cells > 0);
+
+    for (int32_t i = f->none ? run->count : 0, stop; i < run->count; i = stop) {
+        stop = tp_block_end(run, i);
+        block b = { .kind = classify(f, run, i, stop - 1), .first = i };
+        if (b.kind != TP_FOAM_BLOCK_EMPTY)
+            mix_block(shade, run, stop, &b, has_lace, has_glint);
+    }
+}
+
+#define FOAM_STAGE(name, lace, shiny) \
+    void tp_stage_##name(const tp_shade *shade, tp_run *run) \
+    { fast_run(shade, run, lace, shiny); }
+TP_FOAM_FAST_STAGES(FOAM_STAGE)
