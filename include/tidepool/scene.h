@@ -220,6 +220,7 @@ typedef struct tp_scene {
     } tank;
     struct {
         int32_t cells;                      /* cells along the field's side; 0: no foam */
+        int32_t slices;                     /* visits of a cell to one of waves and walls */
         tp_fx   cell;                       /* side of a cell, m */
         tp_fx   crest, breaking, shore, wall, hull;     /* strength of each source */
         tp_fx   fade;                       /* lifetime, s */

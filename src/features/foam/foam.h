@@ -9,6 +9,8 @@
  *
  *     foam_module.c    the module: its state, window, fading and drift
  *     foam_sources.c   the foam made in a tick
+ *     foam_hull.c      the foam of a hull
+ *     foam_visit.h, foam_sparse.c      a visit of rows; sources of every n-th visit
  *     foam_access.c    cover by place, and means
  *     foam_drawing.c   the data of a frame
  *     foam_stage.c     the span stages
@@ -143,6 +145,33 @@ void tp_foam_maker_sample_previous_row(tp_foam_maker *m, uint32_t col, tp_fx x);
  * of columns.  `after_neighbour`: the last cell was the neighbour at x - cell. */
 uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour);
 
+#define TP_FOAM_GAIN_MOST 0xff00u
+
+/* Returns share x units of cover in 1/256 units, clamped to 0..TP_FOAM_GAIN_MOST.  `share` is
+ * 16.16. */
+static inline uint32_t tp_foam_scale_gain(tp_fx share, int32_t units)
+{
+    int64_t gain = (int64_t)share * units >> 8;
+    return gain < 0 ? 0 : gain > TP_FOAM_GAIN_MOST ? TP_FOAM_GAIN_MOST : (uint32_t)gain;
+}
+
+/* Finds the hull in rest positions, for tp_foam_maker_begin. */
+void tp_foam_maker_find_hull(tp_foam_maker *m);
+
+/* The gains apart: waves; walls, TP_FOAM_DRY inside a wall and 0 outside of the pool; and
+ * the hull.  A coastal wave's gain in open water is that of its swells without wind. */
+bool     tp_foam_maker_has_waves(const tp_foam_maker *m);       /* false: no wave foams */
+uint32_t tp_foam_maker_wave_gain(const tp_foam_maker *m, tp_fx x);
+uint32_t tp_foam_maker_wall_gain(const tp_foam_maker *m, tp_fx x);
+uint32_t tp_foam_maker_hull_gain(const tp_foam_maker *m, tp_fx x);
+
+/* Sets the cells from..to, counted from the cell at x, that the hull may reach in the row;
+ * false: none. */
+bool tp_foam_maker_hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to);
+
+/* True if none of the bytes has cover. */
+bool tp_foam_is_empty(const uint8_t *cover, size_t bytes);
+
 /* Coastal water only.  Returns the mean cover 0..255 of water at a depth, m, by breaking
  * and by the shore.  `visits`: age of the foam in visits of a cell; the mean grows with it
  * from 0 on.  tp_foam_maker_open_share returns the share 0..256 of the cover of open water
@@ -241,6 +270,8 @@ void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture);
 #define TP_FOAM_ROWS \
     TP_ROW_COUNT("foam.cells", foam.cells, "cells", 0, 256, 0, \
         "cells along a side of the foam field; 0: no foam"), \
+    TP_ROW_COUNT("foam.slices", foam.slices, "", 1, 16, 1, \
+        "waves and walls foam at every n-th visit of a cell, for less cost"), \
     TP_ROW_NUMBER("foam.cell", foam.cell, "m", 0.01, 50, 0.5, "side of a cell"), \
     TP_ROW_NUMBER("foam.crest", foam.crest, "", 0, 2, 0.6, \
         "crests whose Jacobian is below this value foam; 0: none"), \

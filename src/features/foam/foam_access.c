@@ -63,6 +63,19 @@ uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z)
     return (uint8_t)((sum + 0x8000) >> 16);
 }
 
+bool tp_foam_is_empty(const uint8_t *cover, size_t bytes)
+{
+    uint64_t any = 0, word;
+
+    for (; bytes >= 8; bytes -= 8, cover += 8) {
+        memcpy(&word, cover, 8);
+        any |= word;
+    }
+    for (; bytes > 0; bytes--)
+        any |= *cover++;
+    return any == 0;
+}
+
 uint32_t tp_foam_mean(const tp_foam *foam)
 {
     const uint64_t most = (uint64_t)255 << 8;

@@ -11,14 +11,13 @@
  *
  * Cells left behind by the window are cleared when they are reused for other places. */
 #include "base/base.h"
-#include "features/foam/foam.h"
+#include "features/foam/foam_visit.h"
 #include "waves/softfloat.h"
 #include "world/module.h"
 #include "world/pools.h"
 #include "world/world.h"
 
 #define MIDDLE_MOST (8000 * TP_FX_ONE)  /* limit of the eye and of pools, m */
-#define GOLDEN 10368889u        /* 2^24 / 1.618..., odd, so the period is 2^24 */
 
 /* -- the window ---------------------------------------------------------------------- */
 
@@ -112,30 +111,9 @@ static int64_t advance_drift(tp_foam *foam, int64_t drift, tp_fx speed, int axis
     return drift;
 }
 
-/* One axis of the window: lattice cells from `first` on; cell `first` lies in column or
- * row `seam`. */
-typedef struct {
-    int32_t  first;
-    uint32_t seam, cells;
-} lattice_axis;
-
-static lattice_axis make_axis(int32_t first, uint32_t cells)
+static tp_lattice_axis make_axis(int32_t first, uint32_t cells)
 {
-    return (lattice_axis){ first, tp_foam_mod(first, cells), cells };
-}
-
-/* Returns the lattice cell number of a column or row. */
-static int32_t lattice_cell_number(const lattice_axis *a, uint32_t col_or_row)
-{
-    return a->first
-           + (int32_t)(col_or_row >= a->seam ? col_or_row - a->seam
-                                             : col_or_row + a->cells - a->seam);
-}
-
-/* Returns the centre of a lattice cell, m. */
-static tp_fx cell_centre(const tp_foam *foam, int32_t number, int64_t drift)
-{
-    return (tp_fx)((int64_t)number * foam->cell + foam->cell / 2 + (drift >> 16));
+    return (tp_lattice_axis){ first, tp_foam_mod(first, cells), cells };
 }
 
 /* -- visits -------------------------------------------------------------------------- */
@@ -148,45 +126,30 @@ uint32_t tp_foam_kept_share(tp_fx fade_seconds)
     return tp_exp_neg((uint32_t)x) >> 8;
 }
 
-typedef struct {
-    tp_foam_maker make;
-    const tp_coastal_water *map;        /* NULL: no map of the floor */
-    uint32_t kept_q24, threshold_q24;
-    lattice_axis x, z, seen_x, seen_z;
-} visit;
-
-/* Returns the new cover of a cell.  New foam covers only the free share.
- * cover x kept < 255 x 2^24; with the threshold the sum stays below 2^32. */
-static uint8_t compute_cover(uint32_t cover, const visit *v, uint32_t col, uint32_t gain_q8)
+static void set_previous_row_points(tp_foam_visit *v, const tp_foam *foam)
 {
-    uint64_t sum = (uint64_t)cover * v->kept_q24
-                 + ((uint64_t)(gain_q8 * (255 - cover)) << 8);
-    uint32_t held = sum < (uint32_t)255 << 24 ? (uint32_t)sum : (uint32_t)255 << 24;
-    uint32_t threshold = (v->threshold_q24 + col * GOLDEN) & 0xffffff;
-
-    return (uint8_t)((held + threshold) >> 24);
-}
-
-static void set_previous_row_points(visit *v, const tp_foam *foam)
-{
-    for (uint32_t i = 0; i < foam->cells; i++)
+    for (uint32_t i = 0; i < foam->cells; i++) {
+        const int32_t number = tp_lattice_cell_number(&v->x, i);
         tp_foam_maker_sample_previous_row(
-            &v->make, i, cell_centre(foam, lattice_cell_number(&v->x, i), foam->drift_x));
+            &v->make, i, tp_foam_cell_centre(foam, number, foam->drift_x));
+    }
 }
 
 /* Returns the sum of the row's new cover. */
-static uint32_t visit_row(visit *v, tp_foam *foam, uint8_t *cover)
+static uint32_t visit_row(tp_foam_visit *v, tp_foam *foam, uint8_t *cover)
 {
     int32_t last = INT32_MIN;
     uint32_t sum = 0;
 
     for (uint32_t i = 0; i < foam->cells; i++) {
-        int32_t number = lattice_cell_number(&v->x, i);
-        tp_fx   x = cell_centre(foam, number, foam->drift_x);
+        int32_t number = tp_lattice_cell_number(&v->x, i);
+        tp_fx   x = tp_foam_cell_centre(foam, number, foam->drift_x);
         uint32_t gain = tp_foam_maker_gain(&v->make, i, x, number - 1 == last);
-        bool    same = number == lattice_cell_number(&v->seen_x, i);
+        bool    same = number == tp_lattice_cell_number(&v->seen_x, i);
         last = number;
-        cover[i] = gain == TP_FOAM_DRY ? 0 : compute_cover(same ? cover[i] : 0, v, i, gain);
+        const uint32_t before = same ? cover[i] : 0;
+        cover[i] = gain == TP_FOAM_DRY || (gain | before) == 0
+                 ? 0 : tp_foam_next_cover(before, v, i, gain);
         sum += cover[i];
     }
     return sum;
@@ -194,26 +157,27 @@ static uint32_t visit_row(visit *v, tp_foam *foam, uint8_t *cover)
 
 /* Gives the cells of a row over a map that enter the window the mean, so the window shows
  * no edge when it moves.  `seen`: the window of the last visit; `all`: the row enters. */
-static void fill_entering_cells(const visit *v, const tp_foam *foam, uint8_t *cover,
-                                const lattice_axis *seen, bool all)
+static void fill_entering_cells(const tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
+                                const tp_lattice_axis *seen, bool all)
 {
     if (!all && seen->first == v->x.first)
         return;
     for (uint32_t i = 0; i < foam->cells; i++) {
-        const int32_t number = lattice_cell_number(&v->x, i);
-        if (all || number != lattice_cell_number(seen, i))
+        const int32_t number = tp_lattice_cell_number(&v->x, i);
+        if (all || number != tp_lattice_cell_number(seen, i))
             cover[i] = tp_foam_map_mean(&v->make,
-                                        cell_centre(foam, number, foam->drift_x));
+                                        tp_foam_cell_centre(foam, number, foam->drift_x));
     }
 }
 
 /* Adds every sixteenth cell of a row that lies in open water. */
-static void count_open_water(const visit *v, tp_foam *foam, const uint8_t *cover)
+static void count_open_water(const tp_foam_visit *v, tp_foam *foam, const uint8_t *cover)
 {
     tp_foam_open *open = tp_foam_open_water(foam);
 
     for (uint32_t i = 0; i < foam->cells; i += 16) {
-        const tp_fx x = cell_centre(foam, lattice_cell_number(&v->x, i), foam->drift_x);
+        const int32_t number = tp_lattice_cell_number(&v->x, i);
+        const tp_fx x = tp_foam_cell_centre(foam, number, foam->drift_x);
         const tp_fx depth = tp_coastal_floor(v->map, x, v->make.z).depth;
         const uint32_t share = depth > 0 ? tp_foam_maker_open_share(&v->make, depth) : 0;
         if (share < TP_FOAM_OPEN_SHARE)
@@ -225,7 +189,7 @@ static void count_open_water(const visit *v, tp_foam *foam, const uint8_t *cover
         open->sum /= 2;
 }
 
-static void visit_slice(visit *v, tp_foam *foam)
+static void visit_slice(tp_foam_visit *v, tp_foam *foam)
 {
     uint32_t q = foam->visits % TP_FOAM_TICKS, cells = foam->cells;
     uint32_t end = (q + 1) * cells / TP_FOAM_TICKS;
@@ -234,23 +198,26 @@ static void visit_slice(visit *v, tp_foam *foam)
 
     v->x = make_axis(foam->first_x, cells);
     v->z = make_axis(foam->first_z, cells);
-    const lattice_axis seen_x = make_axis(foam->seen[q][0], cells);
+    const tp_lattice_axis seen_x = make_axis(foam->seen[q][0], cells);
     v->seen_x = v->map ? v->x : seen_x;     /* no cell counts as new once they are filled */
     v->seen_z = make_axis(foam->seen[q][1], cells);
+    v->low_x = tp_foam_cell_centre(foam, foam->first_x, foam->drift_x);
     for (uint32_t j = q * cells / TP_FOAM_TICKS; j < end; j++) {
-        int32_t  number = lattice_cell_number(&v->z, j);
+        int32_t  number = tp_lattice_cell_number(&v->z, j);
         uint8_t *cover = tp_foam_cover(foam) + (size_t)j * cells;
-        if (number != lattice_cell_number(&v->seen_z, j))
+        if (number != tp_lattice_cell_number(&v->seen_z, j))
             memset(cover, 0, cells);
-        v->threshold_q24 = foam->visits / TP_FOAM_TICKS * GOLDEN + j * (GOLDEN / 7);
-        v->make.z = cell_centre(foam, number, foam->drift_z);
-        if (foam->scratch && number - 1 != last)
+        v->threshold_q24 =
+            foam->visits / TP_FOAM_TICKS * TP_FOAM_GOLDEN + j * (TP_FOAM_GOLDEN / 7);
+        v->make.z = tp_foam_cell_centre(foam, number, foam->drift_z);
+        if (foam->scratch && v->slices == 1 && number - 1 != last)
             set_previous_row_points(v, foam);
         last = number;
         if (v->map)
             fill_entering_cells(v, foam, cover, &seen_x,
-                                number != lattice_cell_number(&v->seen_z, j));
-        sum += visit_row(v, foam, cover);
+                                number != tp_lattice_cell_number(&v->seen_z, j));
+        sum += v->slices > 1 ? tp_foam_visit_row_sparsely(v, foam, cover, number)
+                             : visit_row(v, foam, cover);
         if (v->map && j % 2 == 0)
             count_open_water(v, foam, cover);
     }
@@ -259,17 +226,47 @@ static void visit_slice(visit *v, tp_foam *foam)
     foam->seen[q][1] = foam->first_z;
 }
 
+/* True if the slice of this tick has no cover. */
+static bool is_slice_empty(tp_foam *foam)
+{
+    const uint32_t q = foam->visits % TP_FOAM_TICKS, cells = foam->cells;
+    const uint32_t first = q * cells / TP_FOAM_TICKS, end = (q + 1) * cells / TP_FOAM_TICKS;
+
+    return foam->sum[q] == 0
+        && tp_foam_is_empty(tp_foam_cover(foam) + (size_t)first * cells,
+                            (size_t)(end - first) * cells);
+}
+
+/* Passes over the slice of this tick, which stays without cover. */
+static void leave_slice(tp_foam *foam)
+{
+    const uint32_t q = foam->visits % TP_FOAM_TICKS;
+
+    foam->sum[q] = 0;
+    foam->seen[q][0] = foam->first_x;
+    foam->seen[q][1] = foam->first_z;
+}
+
 /* Advances the foam by one tick, after all other modules have moved. */
 static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scene)
 {
-    visit v = { .kept_q24 = tp_foam_kept_share(scene->foam.fade),
-                .map = tp_foam_map(world) };
+    tp_foam_visit v;
+
+    v.kept_q24 = tp_foam_kept_share(scene->foam.fade);
+    v.map = tp_foam_map(world);
+    v.slices = (uint32_t)scene->foam.slices;
 
     foam->drift_x = advance_drift(foam, foam->drift_x, scene->foam.map.drift_x, 0);
     foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
     centre_window_on_pool_or_eye(foam, world, scene);
     tp_foam_maker_begin(&v.make, foam, world, scene);
-    visit_slice(&v, foam);
+    v.sparse.ready = false;
+    v.sparse.waves = tp_foam_maker_has_waves(&v.make);
+    v.sparse.sources = v.sparse.waves || v.make.pool;
+    if (v.sparse.sources || v.make.has_hull || v.map || !is_slice_empty(foam))
+        visit_slice(&v, foam);
+    else
+        leave_slice(foam);
     foam->visits++;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sources of foam: compressed and breaking crests, moving shallow water, water moving
- * along walls, and a hull.  All are functions of the time and a rest position.
+ * along walls; hulls are in foam_hull.c.  All are functions of the time and a rest
+ * position.
  *
  * Rates are chosen by eye, in units of cover per visit (TP_FOAM_TICKS ticks); 255 units
  * are white. */
@@ -12,15 +13,7 @@
 #include "world/module.h"
 #include "world/pools.h"
 
-#define GAIN_MOST 0xff00u
-
-/* Returns share x units of cover in 1/256 units, clamped to 0..GAIN_MOST.  `share` is
- * 16.16. */
-static uint32_t scale_gain(tp_fx share, int32_t units)
-{
-    int64_t gain = (int64_t)share * units >> 8;
-    return gain < 0 ? 0 : gain > GAIN_MOST ? GAIN_MOST : (uint32_t)gain;
-}
+#define GAIN_MOST TP_FOAM_GAIN_MOST
 
 /* -- crests -------------------------------------------------------------------------- */
 
@@ -31,7 +24,7 @@ static uint32_t scale_gain(tp_fx share, int32_t units)
 static uint32_t crest_gain(const tp_foam_maker *m, tp_fx jacobian)
 {
     tp_fx below = m->scene->foam.crest - jacobian;
-    return scale_gain(tp_clamp(below, 0, CREST_MOST), CREST_UNITS);
+    return tp_foam_scale_gain(tp_clamp(below, 0, CREST_MOST), CREST_UNITS);
 }
 
 static tp_coastal_point sample_coastal(const tp_foam_maker *m, tp_fx x, tp_fx z)
@@ -91,7 +84,7 @@ static uint32_t shore_gain(const tp_foam_maker *m, tp_fx depth, tp_fx lift, tp_f
     tp_fx shallow = TP_FX_ONE - tp_fx_mul(depth, m->per_shore);
     int64_t lifted = ((int64_t)lift * m->per_shore + 0x8000) >> 16;
     tp_fx moves = (tp_fx)tp_clamp_abs(lifted + breaking, TP_FX_ONE);
-    return scale_gain(tp_fx_mul(shallow, moves), 80);
+    return tp_foam_scale_gain(tp_fx_mul(shallow, moves), 80);
 }
 
 static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour)
@@ -105,7 +98,7 @@ static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after
         return TP_FOAM_DRY;
     return reduce_shallow_gain(m, at.depth, crest_gain(m, squeeze))
            + shore_gain(m, at.depth, tp_abs(at.position.y), at.breaking * 128)
-           + scale_gain(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking),
+           + tp_foam_scale_gain(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking),
                         BREAKING_UNITS);
 }
 
@@ -115,7 +108,7 @@ uint32_t tp_foam_maker_mean_cover(const tp_foam_maker *m, tp_fx depth, uint32_t 
     if (depth <= 0)
         return 0;
     const tp_coastal_surf surf = tp_coastal_mean_surf(m->coastal, depth);
-    const uint32_t gain = scale_gain(tp_fx_mul(surf.breaking, m->scene->foam.breaking),
+    const uint32_t gain = tp_foam_scale_gain(tp_fx_mul(surf.breaking, m->scene->foam.breaking),
                                      BREAKING_UNITS)
                         + shore_gain(m, depth, surf.lift, surf.breaking / 2);
     const uint32_t more = gain < GAIN_MOST ? gain : GAIN_MOST;      /* Q16 */
@@ -159,111 +152,7 @@ static uint32_t wall_gain(const tp_foam_maker *m, tp_fx x)
     int64_t lsb = tp_abs(tp_pool_velocity(pool, col, row));
     tp_fx speed = (tp_fx)tp_clamp_abs(lsb * m->per_lsb >> 32, 64 * TP_FX_ONE) - WALL_STILL;
     return speed > 0 && m->scene->foam.wall > 0 && is_beside_pool_wall(m, x)
-         ? scale_gain(tp_fx_mul(speed, m->scene->foam.wall), WALL_UNITS) : 0;
-}
-
-/* -- the hull ------------------------------------------------------------------------ */
-
-#define LINE_LEAST TP_FX(0.28)  /* m: half the width of the foam line */
-#define LINE_UNITS 28           /* line of a hull at rest */
-#define PACE_UNITS 300          /* line of a hull at PACE or faster */
-#define PACE       4            /* m/s */
-#define FULLER     TP_FX(1.176) /* a hull is longer than its points are apart; with the
-                                 * factor the longship's waterline is 1 - alpha^2 within
-                                 * 0.1 m */
-#define ARM        TP_FX(0.3536)/* tangent of Kelvin's angle, 19.47 degrees */
-#define ARM_LONG   5            /* length of the arms, in half hull lengths */
-
-/* Returns a triangular profile: 1 at e = 0, 0 at |e| >= wide. */
-static tp_fx triangle_profile(tp_fx e, tp_fx wide)
-{
-    tp_fx off = tp_abs(e);
-    return off < wide ? TP_FX_ONE - tp_fx_div(off, wide) : 0;
-}
-
-/* Returns the intensity of the wake, 0..1: two arms from the bow, kept outside of the
- * hull, and turbulent water behind the stern.  `behind`: distance from the bow,
- * `side`: distance from the hull's axis, `hull_half_width`: half width of the hull
- * there; all in m. */
-static tp_fx wake_foam_intensity(const tp_foam_hull *h, tp_fx behind, tp_fx side,
-                                 tp_fx hull_half_width, tp_fx line_half_width)
-{
-    tp_fx reach = ARM_LONG * h->length, stern = behind - 2 * h->length;
-
-    if (behind <= 0 || behind >= reach)
-        return 0;
-    tp_fx left = TP_FX_ONE - tp_fx_div(behind, reach);
-    tp_fx off = tp_fx_mul(behind, ARM);
-    tp_fx arm = triangle_profile(side - (off > hull_half_width ? off : hull_half_width)
-                                     - line_half_width / 2,
-                                 line_half_width + behind / 24);
-    tp_fx trail = stern > -h->length / 2 && stern < h->length / 2
-                ? triangle_profile(side, h->beam / 2 + line_half_width) / 2 : 0;
-    return tp_fx_mul(arm > trail ? arm : trail, tp_fx_mul(left, left));
-}
-
-static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
-{
-    const tp_foam_hull *h = &m->hull;
-    int64_t dx = (int64_t)x - h->x, dz = (int64_t)m->z - h->z;
-
-    if (dx > h->foam_radius || dx < -h->foam_radius || dz > h->foam_radius
-        || dz < -h->foam_radius)
-        return 0;
-    tp_fx alpha = tp_fx_saturate((dx * h->along[0] + dz * h->along[1]) >> 16);
-    tp_fx beta = tp_fx_saturate((dx * h->across[0] + dz * h->across[1]) >> 16);
-    tp_fx line = LINE_LEAST > m->foam->cell / 2 ? LINE_LEAST : m->foam->cell / 2;
-    tp_fx side = tp_fx_mul(tp_abs(tp_clamp(beta, -TP_FX_MAX, TP_FX_MAX)), h->beam);
-    tp_fx pace = tp_abs(h->pace);
-    tp_fx wide = 0;
-    uint32_t gain = 0;
-
-    if (tp_abs(tp_clamp(alpha, -TP_FX_MAX, TP_FX_MAX)) <= TP_FX_ONE) {
-        wide = tp_fx_mul(h->beam, TP_FX_ONE - tp_fx_mul(alpha, alpha));
-        tp_fx hugs = triangle_profile(side - wide - line / 2, line);
-        gain = scale_gain(hugs, LINE_UNITS) + scale_gain(tp_fx_mul(hugs, pace), PACE_UNITS);
-    }
-    if (pace > 0) {
-        int64_t ahead = h->pace > 0 ? alpha : -(int64_t)alpha;
-        tp_fx behind = tp_fx_saturate((TP_FX_ONE - ahead) * h->length >> 16);
-        tp_fx wake = wake_foam_intensity(h, behind, side, wide, line);
-        gain += scale_gain(tp_fx_mul(wake, pace), PACE_UNITS);
-    }
-    return (uint32_t)((uint64_t)gain * (uint32_t)m->scene->foam.hull >> 16);
-}
-
-/* Finds the hull in rest positions.  The rest positions of the hull's four points give
- * its axes, whatever the waves' displacement.  The displacement is at most 600 m, so det
- * is below 2^53. */
-static void find_hull_in_rest_positions(tp_foam_maker *m)
-{
-    const tp_boat_state *a = &m->world->boat_state;
-    const tp_vec3 *now = &m->world->boat.place, *last = &m->world->last_boat.place;
-    const tp_fx (*p)[2] = a->rest;
-    int64_t ux = ((int64_t)p[0][0] - p[1][0]) / 2, uz = ((int64_t)p[0][1] - p[1][1]) / 2;
-    int64_t wx = ((int64_t)p[3][0] - p[2][0]) / 2, wz = ((int64_t)p[3][1] - p[2][1]) / 2;
-    int64_t det = ux * wz - uz * wx;
-    tp_foam_hull *h = &m->hull;
-
-    m->has_hull = m->scene->boat.mesh[0] && a->placed && m->scene->foam.hull > 0
-               && det > 1 << 24;
-    if (!m->has_hull)
-        return;
-    h->x = (tp_fx)(((int64_t)p[0][0] + p[1][0] + p[2][0] + p[3][0]) / 4);
-    h->z = (tp_fx)(((int64_t)p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4);
-    ux = ux * FULLER >> 16;
-    uz = uz * FULLER >> 16;
-    det = (det >> 16) * FULLER + ((det & 0xffff) * FULLER >> 16);
-    h->along[0] = tp_fx_saturate(wz * ((int64_t)1 << 32) / det);
-    h->along[1] = tp_fx_saturate(-wx * ((int64_t)1 << 32) / det);
-    h->across[0] = tp_fx_saturate(-uz * ((int64_t)1 << 32) / det);
-    h->across[1] = tp_fx_saturate(ux * ((int64_t)1 << 32) / det);
-    h->length = tp_fx_mul(m->scene->boat.length / 2, FULLER);
-    h->beam = m->scene->boat.beam / 2;
-    int64_t way = (((int64_t)now->x - last->x) * tp_sin(a->hull.heading)
-                   - ((int64_t)now->z - last->z) * tp_cos(a->hull.heading)) >> 30;
-    h->pace = (tp_fx)tp_clamp_abs(way * TP_TICKS_PER_SECOND / PACE, TP_FX_ONE);
-    h->foam_radius = h->pace != 0 ? (ARM_LONG + 1) * h->length : h->length + h->beam;
+         ? tp_foam_scale_gain(tp_fx_mul(speed, m->scene->foam.wall), WALL_UNITS) : 0;
 }
 
 /* ----------------------------------------------------------------------------------- */
@@ -285,7 +174,7 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
         m->deep = tp_coastal_breaking_foam_depth(m->coastal);
         m->per_deep = tp_fx_recip(m->deep);
     }
-    find_hull_in_rest_positions(m);
+    tp_foam_maker_find_hull(m);
 }
 
 void tp_foam_maker_sample_previous_row(tp_foam_maker *m, uint32_t col, tp_fx x)
@@ -311,6 +200,49 @@ uint32_t tp_foam_maker_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_
         gain += walls;
     }
     if (m->has_hull)
-        gain += hull_gain(m, x);
+        gain += tp_foam_maker_hull_gain(m, x);
+    return gain < GAIN_MOST ? gain : GAIN_MOST;
+}
+
+/* -- gains apart, for foam in slices ------------------------------------------------- */
+
+uint32_t tp_foam_maker_wall_gain(const tp_foam_maker *m, tp_fx x)
+{
+    return wall_gain(m, x);
+}
+
+/* The Jacobian of swells of a sum q of steepness is at least (1 - q)^2, [A9]. */
+bool tp_foam_maker_has_waves(const tp_foam_maker *m)
+{
+    const tp_q30 rest = TP_Q30_ONE - m->world->deep.steepness_sum;
+    const tp_fx least = tp_q30_mul(rest, rest) >> 14;
+
+    if (m->coastal)
+        return true;
+    return m->scene->foam.crest > 0 && m->scene->foam.crest > least - TP_FX_ONE / 64;
+}
+
+static uint32_t deep_gain(const tp_foam_maker *m, tp_fx x)
+{
+    if (m->scene->foam.crest <= 0)
+        return 0;
+    return crest_gain(m, tp_deep_water_jacobian(&m->world->deep, m->world->phases, x, m->z));
+}
+
+uint32_t tp_foam_maker_wave_gain(const tp_foam_maker *m, tp_fx x)
+{
+    if (!m->coastal)
+        return deep_gain(m, x);
+    const tp_fx depth = tp_coastal_floor(m->coastal, x, m->z).depth;
+    if (depth <= 0)
+        return 0;
+    const uint32_t share = tp_foam_maker_open_share(m, depth);
+    uint32_t gain = share > 0 ? deep_gain(m, x) * share >> 8 : 0;
+    if (share < 256) {
+        const tp_coastal_point at = sample_coastal(m, x, m->z);
+        gain += shore_gain(m, depth, tp_abs(at.position.y), at.breaking * 128)
+              + tp_foam_scale_gain(tp_fx_mul(at.breaking * 257, m->scene->foam.breaking),
+                           BREAKING_UNITS);
+    }
     return gain < GAIN_MOST ? gain : GAIN_MOST;
 }
