@@ -56,12 +56,14 @@ static uint32_t opacity_in_row(const tp_streak *s, const streak_row *r, int32_t 
 
 static void blend_streak(const tp_streak *s, tp_run *run)
 {
-    const int32_t dy = 16 * run->y + 8 - s->v;
-    const int32_t wide = s->radius + tp_abs(s->du), high = s->radius + tp_abs(s->dv);
+    const int32_t dy = 16 * run->y + 8 - s->v, high = s->radius + tp_abs(s->dv);
+    if (tp_abs(dy) > high)                  /* the case of most streaks of the bands */
+        return;
+    const int32_t wide = s->radius + tp_abs(s->du);
     const int32_t low = (s->u - wide + 7) >> 4, end = ((s->u + wide - 8) >> 4) + 1;
     const int32_t stop = end < run->x + run->count ? end : run->x + run->count;
 
-    if (tp_abs(dy) > high || low >= stop || end <= run->x)
+    if (low >= stop || end <= run->x)
         return;
     const streak_row r = make_streak_row(s, dy);
     for (int32_t x = low > run->x ? low : run->x; x < stop; x++) {
