@@ -15,18 +15,22 @@
 
 /* -- kinds of blocks ----------------------------------------------------------------- */
 
-/* Returns the kind of the block by the box around its first and last sample. */
-static tp_foam_block_kind classify_by_box(const tp_shade_foam *f, const tp_run *run,
-                                          int32_t i, int32_t last)
-{
-    const uint32_t s = run->s[i] - (uint32_t)f->low_s, t = run->t[i] - (uint32_t)f->low_t;
-    const int32_t ds = (int32_t)(run->s[last] - run->s[i]) / 2,
-                  dt = (int32_t)(run->t[last] - run->t[i]) / 2;
-    const tp_foam_box box = { s + (uint32_t)ds, t + (uint32_t)dt, (uint32_t)tp_abs(ds) + 1,
-                              (uint32_t)tp_abs(dt) + 1 };
+/* The place of a sample in the window, cells Q16, and its weight; 0 outside. */
+typedef struct {
+    uint32_t u, w, weight;
+} window_place;
 
-    return (box.half_s | box.half_t) >> 29 ? TP_FOAM_BLOCK_MIXED
-                                           : tp_foam_box_classify(f, &box);
+TP_ALWAYS_INLINE window_place find_place(const tp_shade_foam *f, const tp_run *run, int32_t i)
+{
+    const uint32_t ds = run->s[i] - (uint32_t)f->low_s, dt = run->t[i] - (uint32_t)f->low_t;
+    window_place p = { 0, 0, 0 };
+
+    if (ds >= f->side || dt >= f->side)
+        return p;
+    p.u = tp_foam_cells(f, ds);
+    p.w = tp_foam_cells(f, dt);
+    p.weight = tp_foam_window_weight(f, p.u, p.w);
+    return p;
 }
 
 TP_ALWAYS_INLINE void set_range(uint32_t range[2], uint32_t a, uint32_t b)
@@ -35,17 +39,21 @@ TP_ALWAYS_INLINE void set_range(uint32_t range[2], uint32_t a, uint32_t b)
     range[1] = a < b ? b : a;
 }
 
-/* The same, for less where both samples lie in the window and no foam lies beyond. */
-static tp_foam_block_kind classify(const tp_shade_foam *f, const tp_run *run, int32_t i,
-                                   int32_t last)
+/* True if a block from one place to another has no foam: no cover lies between, and none
+ * beyond the window. */
+static bool is_block_empty(const tp_shade_foam *f, const window_place *a,
+                           const window_place *b)
 {
-    uint32_t s[2], t[2];
+    const bool far = f->far_fresh || f->floor;
+    uint32_t u[2], w[2];
 
-    set_range(s, run->s[i] - (uint32_t)f->low_s, run->s[last] - (uint32_t)f->low_s);
-    set_range(t, run->t[i] - (uint32_t)f->low_t, run->t[last] - (uint32_t)f->low_t);
-    if (s[1] >= f->side || t[1] >= f->side || f->far_fresh || f->floor)
-        return classify_by_box(f, run, i, last);
-    return tp_foam_is_range_empty(f, s, t) ? TP_FOAM_BLOCK_EMPTY : TP_FOAM_BLOCK_MIXED;
+    if (a->weight == 0 || b->weight == 0)
+        return !far && a->weight == b->weight;
+    if (far && (a->weight < 256 || b->weight < 256))
+        return false;
+    set_range(u, a->u, b->u);
+    set_range(w, a->w, b->w);
+    return tp_foam_is_range_empty(f, u, w);
 }
 
 /* -- opacity and colour -------------------------------------------------------------- */
@@ -134,10 +142,10 @@ TP_ALWAYS_INLINE void mix_plain_segment(tp_run *run, const segment *g, uint32_t 
 
 /* -- blocks -------------------------------------------------------------------------- */
 
-/* A block of samples: its kind, values shared by them, and their colour of foam. */
+/* A block of samples: its ends, values shared by the samples, and their colour of foam. */
 typedef struct {
-    tp_foam_block_kind kind;
-    int32_t  first;             /* the sample that gives the depth */
+    window_place begin, end;
+    int32_t  first, last;       /* the first sample gives the depth */
     bool     ready, far;        /* lace and colour are set; `filtered` is */
     uint32_t colour, filtered;
     tp_foam_lace lace;
@@ -166,17 +174,17 @@ static uint32_t sample_block_cover(const tp_shade *shade, const tp_run *run, int
                                    block *b)
 {
     const tp_shade_foam *f = run->mine;
-    uint32_t weight = 0, cover = 0;
+    const window_place p = i == b->first ? b->begin : i == b->last ? b->end
+                         : find_place(f, run, i);
+    const uint32_t cover = p.weight ? tp_foam_sample_cover(f, p.u, p.w) : 0;
 
-    if (b->kind != TP_FOAM_BLOCK_OUTSIDE)   /* samples may lie beyond the box of the ends */
-        cover = tp_foam_sample_window(f, run->s[i], run->t[i], &weight);
-    if (weight == 256 || !(f->far_fresh || f->floor))
-        return (cover * weight + 128) >> 8;
+    if (p.weight == 256 || !(f->far_fresh || f->floor))
+        return (cover * p.weight + 128) >> 8;
     if (!b->far)
         b->filtered = tp_foam_filtered_variance(shade, f, run->key[b->first]);
     b->far = true;
-    return (cover * weight
-            + tp_foam_far_cover(f, run, i, b->filtered) * (256 - weight) + 128) >> 8;
+    return (cover * p.weight
+            + tp_foam_far_cover(f, run, i, b->filtered) * (256 - p.weight) + 128) >> 8;
 }
 
 /* Returns the cover at sample i after the large scale of lace. */
@@ -233,9 +241,16 @@ TP_ALWAYS_INLINE void fast_run(const tp_shade *shade, tp_run *run, int has_lace,
 
     for (int32_t i = f->none ? run->count : 0, stop; i < run->count; i = stop) {
         stop = tp_block_end(run, i);
-        block b = { .kind = classify(f, run, i, stop - 1), .first = i };
-        if (b.kind != TP_FOAM_BLOCK_EMPTY)
-            mix_block(shade, run, stop, &b, has_lace, has_glint);
+        const window_place begin = find_place(f, run, i), end = find_place(f, run, stop - 1);
+        block b;
+        if (is_block_empty(f, &begin, &end))
+            continue;
+        b.begin = begin;
+        b.end = end;
+        b.first = i;
+        b.last = stop - 1;
+        b.ready = b.far = false;
+        mix_block(shade, run, stop, &b, has_lace, has_glint);
     }
 }
 

@@ -76,14 +76,14 @@ typedef struct {
     bool     all;
 } squares;
 
-/* Returns the squares of all cells that samples at distances low..high from the window's
- * low side read.  `before`: f->col or f->row. */
+/* Returns the squares of all cells that samples low..high cells, Q16, from the window's low
+ * side read.  `before`: f->col or f->row. */
 static squares find_squares(const tp_shade_foam *f, uint32_t low, uint32_t high,
                             uint32_t before)
 {
     const uint32_t n = f->cells;
-    uint32_t a = ((tp_foam_cells(f, low) + 32768) >> 16) + before;
-    uint32_t b = ((tp_foam_cells(f, high) + 32768) >> 16) + before + 1;
+    uint32_t a = ((low + 32768) >> 16) + before;
+    uint32_t b = ((high + 32768) >> 16) + before + 1;
     const bool all = b - a + (1u << f->square) >= n;
 
     a -= a >= n ? n : 0;
@@ -114,13 +114,13 @@ static bool are_squares_empty(const tp_shade_foam *f, const squares *x, const sq
     }
 }
 
-bool tp_foam_is_range_empty(const tp_shade_foam *f, const uint32_t s[2],
-                            const uint32_t t[2])
+bool tp_foam_is_range_empty(const tp_shade_foam *f, const uint32_t u[2],
+                            const uint32_t w[2])
 {
     if (f->square == 0)                     /* no square is known */
         return false;
-    const squares x = find_squares(f, s[0], s[1], f->col),
-                  z = find_squares(f, t[0], t[1], f->row);
+    const squares x = find_squares(f, u[0], u[1], f->col),
+                  z = find_squares(f, w[0], w[1], f->row);
     return are_squares_empty(f, &x, &z);
 }
 
@@ -181,7 +181,9 @@ tp_foam_block_kind tp_foam_box_classify(const tp_shade_foam *f, const tp_foam_bo
     if (!clip_range(f->side, box->ds, box->half_s, &s[0], &s[1])
         || !clip_range(f->side, box->dt, box->half_t, &t[0], &t[1]))
         return TP_FOAM_BLOCK_EMPTY;
-    return tp_foam_is_range_empty(f, s, t) ? TP_FOAM_BLOCK_EMPTY : kind;
+    const uint32_t u[2] = { tp_foam_cells(f, s[0]), tp_foam_cells(f, s[1]) };
+    const uint32_t w[2] = { tp_foam_cells(f, t[0]), tp_foam_cells(f, t[1]) };
+    return tp_foam_is_range_empty(f, u, w) ? TP_FOAM_BLOCK_EMPTY : kind;
 }
 
 /* The samples lie within the largest distance from the first, rounded up to all ones. */

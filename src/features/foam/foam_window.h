@@ -86,10 +86,10 @@ typedef struct {
 
 tp_foam_block_kind tp_foam_box_classify(const tp_shade_foam *f, const tp_foam_box *box);
 
-/* True if the cells of samples between two distances from the window's low sides, m, lie in
- * squares without cover. */
-bool tp_foam_is_range_empty(const tp_shade_foam *f, const uint32_t s[2],
-                            const uint32_t t[2]);
+/* True if the cells of samples between two distances from the window's low sides, cells Q16,
+ * lie in squares without cover. */
+bool tp_foam_is_range_empty(const tp_shade_foam *f, const uint32_t u[2],
+                            const uint32_t w[2]);
 
 /* Finds the squares of 4 x 4 cells, of 8 x 8 in fields above 128 cells, whose cover is below
  * `least`, a power of 2, everywhere.  Returns true if any square has more. */
