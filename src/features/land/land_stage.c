@@ -59,20 +59,25 @@ static uint32_t wet_colour(const tp_shade *shade, const tp_land_look *land, uint
                          (uint32_t)((int64_t)WHITE * (high - (front - at.y)) / high));
 }
 
+static uint32_t ground_colour(const tp_shade *shade, const tp_land_look *land,
+                              tp_packed_dir n, const tp_refracted_ray *ray)
+{
+    const uint32_t texel = tp_wall_material_sample(&shade->underwater->floor, ray->at.x,
+                                                   ray->at.z, ray->far, true);
+    const uint32_t colour = tp_light_matt_colour(shade, texel, n);
+
+    return ray->at.y < land->runup ? wet_colour(shade, land, colour, ray->at) : colour;
+}
+
 void tp_stage_ground(const tp_shade *shade, tp_run *run)
 {
-    const tp_land_look *land = run->mine;
+    tp_refracted_ray ray[TP_UNDERWATER_ROW];
 
-    for (int32_t i = 0; i < run->count; i++) {
-        tp_refracted_ray ray;
-        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
-        run->colour[i] = tp_light_matt_colour(
-            shade,
-            tp_wall_material_sample(&shade->underwater->floor, ray.at.x, ray.at.z, ray.far,
-                                    true),
-            run->n[i]);
-        if (ray.at.y < land->runup)
-            run->colour[i] = wet_colour(shade, land, run->colour[i], ray.at);
+    for (int32_t i = 0, stop; i < run->count; i = stop) {
+        stop = tp_block_end(run, i);
+        tp_underwater_set_start_points(shade, run, i, stop, ray);
+        for (int32_t k = i; k < stop; k++)
+            run->colour[k] = ground_colour(shade, run->mine, run->n[k], &ray[k - i]);
     }
 }
 

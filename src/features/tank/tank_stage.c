@@ -15,18 +15,27 @@
 
 /* Shades stone.  The texture is projected along the largest component of the normal:
  * on x y, z y or x z. */
+static uint32_t stone_colour(const tp_shade *shade, tp_packed_dir n,
+                             const tp_refracted_ray *ray)
+{
+    int32_t x = tp_abs(tp_dir_x(n)), y = tp_abs(tp_dir_y(n)), z = tp_abs(tp_dir_z(n));
+    tp_fx s = x > y && x > z ? ray->at.z : ray->at.x;
+    tp_fx t = y >= x && y >= z ? ray->at.z : -ray->at.y;
+    uint32_t colour =
+        tp_wall_material_sample(&shade->underwater->wall, s, t, ray->far, false);
+
+    return tp_light_matt_colour(shade, colour, n);
+}
+
 void tp_stage_wall(const tp_shade *shade, tp_run *run)
 {
-    for (int32_t i = 0; i < run->count; i++) {
-        tp_packed_dir n = run->n[i];
-        int32_t x = tp_abs(tp_dir_x(n)), y = tp_abs(tp_dir_y(n)), z = tp_abs(tp_dir_z(n));
-        tp_refracted_ray ray;
-        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
-        tp_fx s = x > y && x > z ? ray.at.z : ray.at.x;
-        tp_fx t = y >= x && y >= z ? ray.at.z : -ray.at.y;
-        uint32_t colour =
-            tp_wall_material_sample(&shade->underwater->wall, s, t, ray.far, false);
-        run->colour[i] = tp_light_matt_colour(shade, colour, n);
+    tp_refracted_ray ray[TP_UNDERWATER_ROW];
+
+    for (int32_t i = 0, stop; i < run->count; i = stop) {
+        stop = tp_block_end(run, i);
+        tp_underwater_set_start_points(shade, run, i, stop, ray);
+        for (int32_t k = i; k < stop; k++)
+            run->colour[k] = stone_colour(shade, run->n[k], &ray[k - i]);
     }
 }
 
@@ -45,16 +54,28 @@ static tp_ray wall_normal(uint32_t face)
     return face & 2 ? (tp_ray){ 0, 0, one, 0 } : (tp_ray){ one, 0, 0, 0 };
 }
 
+/* Returns the colour of the water's side at sample i; the view vectors of the run and the
+ * ray's start are set. */
+static uint32_t side_colour(const tp_shade *shade, const tp_run *run, int32_t i,
+                            tp_refracted_ray ray)
+{
+    const tp_underwater *in = shade->underwater;
+    const tp_ray view = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+
+    ray.way = tp_underwater_refract(in, 1, view, wall_normal(run->t[i]));
+    return tp_underwater_trace(shade, &in->floor_plane, &ray, in->deep);
+}
+
 void tp_stage_tank_side(const tp_shade *shade, tp_run *run)
 {
+    tp_refracted_ray ray[TP_UNDERWATER_ROW];
+
     tp_run_fill_vectors_to_eye(shade, &shade->world, run);
-    for (int32_t i = 0; i < run->count; i++) {
-        tp_ray  in = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
-        tp_refracted_ray ray;
-        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
-        ray.way = tp_underwater_refract(shade->underwater, 1, in, wall_normal(run->t[i]));
-        run->colour[i] = tp_underwater_trace(shade, &shade->underwater->floor_plane, &ray,
-                                             shade->underwater->deep);
+    for (int32_t i = 0, stop; i < run->count; i = stop) {
+        stop = tp_block_end(run, i);
+        tp_underwater_set_start_points(shade, run, i, stop, ray);
+        for (int32_t k = i; k < stop; k++)
+            run->colour[k] = side_colour(shade, run, k, ray[k - i]);
     }
 }
 

@@ -8,6 +8,7 @@
  * at the edge, as by a wall.  A place on the map is the surface point lighting the floor
  * there through still water, so still water gives exactly 256 everywhere. */
 #include "base/base.h"
+#include "base/dsp.h"
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "quality/prices.h"
@@ -114,8 +115,19 @@ static tp_surface_point displaced_surface_point(const tp_surface *s, tp_fx x, tp
  * over a pool of 0.16 m are 2^27 per metre. */
 static int32_t metres_to_cells_q8(int64_t metres, uint32_t per_metre)
 {
-    int64_t cells = tp_clamp_abs(metres, (int64_t)1 << 30) * (int64_t)per_metre >> 24;
+    const int32_t near = (int32_t)tp_clamp_abs(metres, (int64_t)1 << 30);
+    const int64_t cells = (int64_t)near * per_metre >> 24;
     return (int32_t)tp_clamp_abs(cells, (int64_t)1 << 28);
+}
+
+/* Returns from + (to - from) i / cells, the division rounded down; from <= to, i <= cells
+ * <= 256.  The quotient and the rest of (to - from) / cells keep the division in 32 bits. */
+static tp_fx vertex_coordinate(tp_fx from, tp_fx to, uint32_t i, uint32_t cells)
+{
+    const uint32_t wide = (uint32_t)to - (uint32_t)from;
+    const uint32_t cell = wide / cells, rest = wide % cells;
+
+    return (tp_fx)((uint32_t)from + cell * i + rest * i / cells);
 }
 
 /* Traces vertex (i, j): its place along the sun's rays on the level, and the place of its
@@ -126,12 +138,12 @@ static void trace_light_vertex(const tp_frame *frame, const tp_caustics *map,
 {
     const tp_caustic *c = &map->look;
     const tp_rectangle r = map->place;
-    tp_fx x = r.x0 + (tp_fx)(((int64_t)r.x1 - r.x0) * i / c->cells);
-    tp_fx z = r.z0 + (tp_fx)(((int64_t)r.z1 - r.z0) * j / c->cells);
+    tp_fx x = vertex_coordinate(r.x0, r.x1, i, c->cells);
+    tp_fx z = vertex_coordinate(r.z0, r.z1, j, c->cells);
     tp_surface_point p = displaced_surface_point(surface, x, z, off);
     tp_fall fall = refract_light(&frame->shade, p.slope_x, p.slope_z);
     tp_fall still = map->level_fall;
-    int64_t high = sample_depth(frame, p.position.x, p.position.z) + (int64_t)p.position.y;
+    tp_fx high = tp_fx_add_sat(sample_depth(frame, p.position.x, p.position.z), p.position.y);
     int64_t away_x = (int64_t)p.position.x - x, away_z = (int64_t)p.position.z - z;
 
     high = high > 0 ? high : 0;
@@ -141,8 +153,8 @@ static void trace_light_vertex(const tp_frame *frame, const tp_caustics *map,
     to->z = (int32_t)(j * 256)
           + metres_to_cells_q8(away_z + ((int64_t)map->sun_fall.z * p.position.y >> 16),
                                c->per_metre_z);
-    away_x += (((int64_t)fall.x - still.x) * high + (int64_t)still.x * p.position.y) >> 16;
-    away_z += (((int64_t)fall.z - still.z) * high + (int64_t)still.z * p.position.y) >> 16;
+    away_x += ((int64_t)(fall.x - still.x) * high + (int64_t)still.x * p.position.y) >> 16;
+    away_z += ((int64_t)(fall.z - still.z) * high + (int64_t)still.z * p.position.y) >> 16;
     to->lit_x = (int32_t)(i * 256) + metres_to_cells_q8(away_x, c->per_metre_x);
     to->lit_z = (int32_t)(j * 256) + metres_to_cells_q8(away_z, c->per_metre_z);
 }
@@ -164,20 +176,56 @@ static void add_mirrored_cell_light(uint16_t *light, uint32_t cells, int32_t i, 
     *to = (uint16_t)(*to + share < 65535 ? *to + share : 65535);
 }
 
+/* Adds light to a cell, at most to 65535. */
+TP_ALWAYS_INLINE void add_cell_light(uint16_t *to, int32_t share)
+{
+    *to = (uint16_t)tp_usat(*to + share, 0, 16);
+}
+
 /* Adds `share` at a place in cells, Q8, to the four cells around it, weighted in
  * sixteenths. */
-static void splat_light(uint16_t *light, uint32_t cells, int32_t x, int32_t z,
-                        int32_t share)
+TP_ALWAYS_INLINE void splat_light(uint16_t *light, uint32_t cells, int32_t x, int32_t z,
+                                  int32_t share)
 {
     int32_t i = (x - 128) >> 8, j = (z - 128) >> 8;
     int32_t f = (x - 128) >> 4 & 15, g = (z - 128) >> 4 & 15;
     int32_t b = share * f * (16 - g) >> 8, c = share * (16 - f) * g >> 8;
     int32_t d = share * f * g >> 8;
 
+    if ((uint32_t)i < cells - 1 && (uint32_t)j < cells - 1) {
+        uint16_t *to = light + (uint32_t)j * cells + (uint32_t)i;
+        add_cell_light(to, share - b - c - d);
+        add_cell_light(to + 1, b);
+        add_cell_light(to + cells, c);
+        add_cell_light(to + cells + 1, d);
+        return;
+    }
     add_mirrored_cell_light(light, cells, i, j, share - b - c - d);
     add_mirrored_cell_light(light, cells, i + 1, j, b);
     add_mirrored_cell_light(light, cells, i, j + 1, c);
     add_mirrored_cell_light(light, cells, i + 1, j + 1, d);
+}
+
+/* Sets the bilinear means at a quarter and three quarters of a cell's sides.  The sum of
+ * the weights is 16: values below 2^26, as all near the map, take 32 bits. */
+TP_ALWAYS_INLINE void interpolate_quarters(int32_t a, int32_t b, int32_t c, int32_t d,
+                                           int32_t to[4])
+{
+    const int32_t most = 1 << 26;
+
+    if (tp_abs(a) < most && tp_abs(b) < most && tp_abs(c) < most && tp_abs(d) < most) {
+        const int32_t over[2] = { 3 * a + b, a + 3 * b }, under[2] = { 3 * c + d, c + 3 * d };
+        for (int k = 0; k < 2; k++) {
+            to[k] = (3 * over[k] + under[k]) >> 4;
+            to[k + 2] = (over[k] + 3 * under[k]) >> 4;
+        }
+        return;
+    }
+    for (int k = 0; k < 4; k++) {
+        const int32_t s = k & 1 ? 3 : 1, t = k & 2 ? 3 : 1;
+        to[k] = (int32_t)(((int64_t)a * (4 - s) * (4 - t) + (int64_t)b * s * (4 - t)
+                           + (int64_t)c * (4 - s) * t + (int64_t)d * s * t) >> 4);
+    }
 }
 
 /* Distributes the light of the cell between two rows of vertices.  Its light is the area
@@ -187,20 +235,15 @@ static void splat_cell_light(uint16_t *light, uint32_t cells, const tp_caustic_v
                              const tp_caustic_vertex *c)
 {
     const tp_caustic_vertex *b = a + 1, *d = c + 1;
-    int64_t area = ((int64_t)d->x - a->x) * ((int64_t)c->z - b->z)
-                 - ((int64_t)d->z - a->z) * ((int64_t)c->x - b->x);
-    int32_t share = (int32_t)tp_clamp_abs(area > 0 ? area >> 9 : 0, 2048), left = share;
+    int64_t area = (int64_t)(d->x - a->x) * (c->z - b->z)
+                 - (int64_t)(d->z - a->z) * (c->x - b->x);
+    int32_t share = (int32_t)tp_clamp_abs(area > 0 ? area >> 9 : 0, 2048);
+    int32_t x[4], z[4];
 
-    for (int k = 0; k < 4; k++) {
-        int32_t s = k & 1 ? 3 : 1, t = k & 2 ? 3 : 1, part = k < 3 ? share / 4 : left;
-        int32_t wa = (4 - s) * (4 - t), wb = s * (4 - t), wc = (4 - s) * t, wd = s * t;
-        int64_t x = (int64_t)a->lit_x * wa + (int64_t)b->lit_x * wb
-                  + (int64_t)c->lit_x * wc + (int64_t)d->lit_x * wd;
-        int64_t z = (int64_t)a->lit_z * wa + (int64_t)b->lit_z * wb
-                  + (int64_t)c->lit_z * wc + (int64_t)d->lit_z * wd;
-        splat_light(light, cells, (int32_t)(x >> 4), (int32_t)(z >> 4), part);
-        left -= part;
-    }
+    interpolate_quarters(a->lit_x, b->lit_x, c->lit_x, d->lit_x, x);
+    interpolate_quarters(a->lit_z, b->lit_z, c->lit_z, d->lit_z, z);
+    for (int k = 0; k < 4; k++)
+        splat_light(light, cells, x[k], z[k], k < 3 ? share / 4 : share - share / 4 * 3);
 }
 
 /* Traces light through each vertex of the map to the floor, and distributes the light of

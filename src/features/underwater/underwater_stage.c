@@ -74,14 +74,16 @@ void tp_stage_deep(const tp_shade *shade, tp_run *run)
 void tp_stage_absorb(const tp_shade *shade, tp_run *run)
 {
     const tp_underwater *in = shade->underwater;
+    tp_refracted_ray ray[TP_UNDERWATER_ROW];
 
     tp_run_fill_vectors_to_eye(shade, &shade->world, run);
-    for (int32_t i = 0; i < run->count; i++) {
-        tp_refracted_ray ray;
-        tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
-        run->colour[i] = tp_absorb_apply(
-            &in->absorb, run->colour[i], in->deep,
-            ray_length_at_view_depth(shade, view_direction(run, i), ray.far));
+    for (int32_t i = 0, stop; i < run->count; i = stop) {
+        stop = tp_block_end(run, i);
+        tp_underwater_set_start_points(shade, run, i, stop, ray);
+        for (int32_t k = i; k < stop; k++)
+            run->colour[k] = tp_absorb_apply(
+                &in->absorb, run->colour[k], in->deep,
+                ray_length_at_view_depth(shade, view_direction(run, k), ray[k - i].far));
     }
 }
 
