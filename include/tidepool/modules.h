@@ -212,7 +212,7 @@ typedef struct {
 #define TP_STAGES_OF_land(X)        X(land) X(ground)       /* plain; like the floor */
 #define TP_STAGES_OF_drops(X)       X(drop)
 #define TP_STAGES_OF_lids(X)
-#define TP_STAGES_OF_bumps(X)       X(pool_bump)        /* sx sz from pools */
+#define TP_STAGES_OF_bumps(X)       X(pool_bump) X(quick_pool_bump) /* sx sz from pools */
 #define TP_STAGES_OF_base_layer(X) \
     X(texture) X(texture_tinted) X(texture_linear) X(texture_linear_tinted) \
     X(texture_graded) X(texture_linear_graded)
@@ -270,7 +270,8 @@ typedef struct {
 #define TP_STAGES_OF_tank(X)        X(wall)
 #define TP_STAGES_OF_glass(X) \
     X(tank_side)            /* water behind the glass */ \
-    X(pane)                 /* the glass, after tone mapping */
+    X(pane)                 /* the glass, after tone mapping */ \
+    X(quick_tank_side) X(quick_pane)    /* fast: every second column; by blocks */
 #define TP_STAGES_OF_caustics(X)
 #define TP_STAGES_OF_mirror(X)      \
     X(mirrored) X(mirrored_fast)        /* objects, over the sky's mirror; by blocks */ \
@@ -278,7 +279,8 @@ typedef struct {
 #define TP_STAGES_OF_object_cube(X) X(mirrored_object_cube) /* the same from a cube map */
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_clear_water(X) \
-    X(refract) X(refract_rippled) X(refract_dispersed) X(refract_rippled_dispersed)
+    X(refract) X(refract_rippled) X(refract_dispersed) X(refract_rippled_dispersed) \
+    X(quick_refract)        /* fast: the floor; light on the water's own colour */
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* reduces glint */ \
     X(foam_packed)      /* after fast stages */ \

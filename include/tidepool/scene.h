@@ -88,6 +88,7 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
       "foam: each pixel, cover at every eighth pixel, or without bubbles") \
     X(objects, "auto|exact|fast", 2, "mirrored objects: each pixel, or blocks of pixels") \
     X(refraction, "auto|exact|fast", 2, "view into water: each pixel, or a lattice") \
+    X(caustics, "auto|exact|half|quarter", 3, "cells of the caustics map: all, half, quarter") \
     X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone") \
     X(mesh, "auto|full|middle|low", 3, "mesh of the boat: boat.mesh, NAME-mid, NAME-low") \
     X(triangles, "auto|exact|fast", 2, "cells of the water: exact triangles, or planes") \

@@ -153,9 +153,9 @@ tp_gbuffer tp_planar_tall_gbuffer(const tp_planar_memory *store, const tp_planar
 /* Place of a stage in a list.  Stages of the same place run in the order of addition. */
 typedef enum {
     TP_AT_PLACE,                /* a distortion moves texture coordinates */
-    TP_AT_COLOUR,               /* textures; fast stages do all their work here */
+    TP_AT_COLOUR,               /* textures; fast stages without light */
     TP_AT_SLOPE,                /* ripples and pools change the normals */
-    TP_AT_VIEW,
+    TP_AT_VIEW,                 /* view vectors; fast stages: colours in the water */
     TP_AT_LIGHT,
     TP_AT_REFRACT,              /* colours seen through the water */
     TP_AT_REFLECT,              /* the sky's reflection */

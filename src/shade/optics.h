@@ -61,16 +61,23 @@ void tp_absorb_init(tp_absorb *absorb, uint32_t tint, tp_fx clear);
 /* Entry i is 2^-(i / 64), Q0.16. */
 extern const uint16_t tp_absorb_fall[65];
 
+/* Returns the share of a channel's light that is left after a path, Q0.16. */
+TP_ALWAYS_INLINE int32_t tp_absorb_share_left(uint32_t halvings, tp_fx metres)
+{
+    uint64_t x = (uint64_t)halvings * (uint32_t)metres >> 16;
+
+    if (x >= 16u << 16)
+        return 0;
+    const uint16_t *at = tp_absorb_fall + ((uint32_t)x >> 10 & 63);
+    return (at[0] - ((at[0] - at[1]) * (int32_t)(x & 1023) >> 10)) >> (x >> 16);
+}
+
 TP_ALWAYS_INLINE uint32_t tp_absorbed_channel(uint32_t halvings, tp_fx metres,
                                               uint32_t colour, uint32_t deep)
 {
-    uint64_t x = (uint64_t)halvings * (uint32_t)metres >> 16;
-    int32_t  c = (int32_t)(colour & 0xff), d = (int32_t)(deep & 0xff);
+    const int32_t left = tp_absorb_share_left(halvings, metres);
+    int32_t c = (int32_t)(colour & 0xff), d = (int32_t)(deep & 0xff);
 
-    if (x >= 16u << 16)
-        return (uint32_t)d;
-    const uint16_t *at = tp_absorb_fall + ((uint32_t)x >> 10 & 63);
-    int32_t left = (at[0] - ((at[0] - at[1]) * (int32_t)(x & 1023) >> 10)) >> (x >> 16);
     return (uint32_t)(d + (((c - d) * left + 0x8000) >> 16));
 }
 

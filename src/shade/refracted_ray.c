@@ -11,15 +11,6 @@ const uint16_t tp_sqrt_one_minus_table[65] = {
 
 /* -- distances along a ray ----------------------------------------------------------- */
 
-/* Returns the distance along a ray, m, until a `gap` >= 0 m is closed; the gap shrinks by
- * `speed` > 0 per metre, Q1.14. */
-static inline tp_fx closing_distance(tp_fx gap, int32_t speed)
-{
-    int     shift = tp_clz((uint32_t)speed);
-    int64_t way = (int64_t)gap * tp_recip_rough((uint32_t)speed << shift) >> (48 - shift);
-    return way < TP_UNDERWATER_FAR ? (tp_fx)way : TP_UNDERWATER_FAR;
-}
-
 /* Returns the point `metres` along the ray, 0..TP_UNDERWATER_FAR: each product fits 32 bits
  * after the shift. */
 static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
@@ -31,23 +22,9 @@ static inline tp_vec3 point_along_ray(tp_vec3 from, tp_ray way, tp_fx metres)
 
 /* -- the floor ----------------------------------------------------------------------- */
 
-/* Rise of the plane from the world's origin to a point, Q32; sums may wrap. */
-static inline uint64_t plane_rise_from_origin(const tp_floor_plane *bed, tp_fx x, tp_fx z)
-{
-    return (uint64_t)((int64_t)bed->rise_x * x) + (uint64_t)((int64_t)bed->rise_z * z);
-}
-
-/* Depth of the plane below a point, m, clamped to 16 km. */
-static inline tp_fx plane_depth_at_xz(const tp_floor_plane *plane, tp_vec3 at)
-{
-    int64_t rise = (int64_t)(plane_rise_from_origin(plane, at.x, at.z)
-                             - plane_rise_from_origin(plane, plane->x, plane->z));
-    return (tp_fx)tp_clamp_abs(plane->depth - (rise >> 16), TP_UNDERWATER_FAR);
-}
-
 static inline tp_ground sample_ground(const tp_floor_plane *bed, tp_vec3 at)
 {
-    return (tp_ground){ plane_depth_at_xz(bed, at), bed->rise_x, bed->rise_z, bed->nl };
+    return (tp_ground){ tp_floor_plane_depth(bed, at), bed->rise_x, bed->rise_z, bed->nl };
 }
 
 /* Interpolates two floor planes: share / 16 of b, the rest of a.  The two depths differ by
@@ -56,7 +33,7 @@ static inline tp_ground interpolate_ground(const tp_floor_plane *a,
                                            const tp_floor_plane *b, int32_t sixteenths,
                                            tp_vec3 at)
 {
-    int32_t one = plane_depth_at_xz(a, at), other = plane_depth_at_xz(b, at);
+    int32_t one = tp_floor_plane_depth(a, at), other = tp_floor_plane_depth(b, at);
 
     return (tp_ground){
         one + (int32_t)((int64_t)(other - one) * sixteenths >> 4),
@@ -76,10 +53,10 @@ static inline tp_fx distance_to_floor(const tp_ground *under, tp_fx from_y, tp_r
 
     if (gap <= 0)
         return 0;
-    return down < 16 ? TP_UNDERWATER_FAR : closing_distance(gap, down);
+    return down < 16 ? TP_UNDERWATER_FAR : tp_underwater_closing_distance(gap, down);
 }
 
-static int32_t floor_light_cosine(const tp_underwater *in, tp_fx rise_x, tp_fx rise_z)
+int32_t tp_underwater_floor_light_cosine(const tp_underwater *in, tp_fx rise_x, tp_fx rise_z)
 {
     tp_dir3 n = tp_normalise(-rise_x, TP_FX_ONE, -rise_z);
     int32_t nl = (n.x >> 16) * in->sun_x + (n.y >> 16) * in->sun_y
@@ -87,7 +64,7 @@ static int32_t floor_light_cosine(const tp_underwater *in, tp_fx rise_x, tp_fx r
     return nl > 0 ? nl >> 14 : 0;
 }
 
-static tp_floor_plane sample_floor_plane(const tp_underwater *in, tp_vec3 at)
+tp_floor_plane tp_underwater_sample_floor(const tp_underwater *in, tp_vec3 at)
 {
     tp_floor_at floor = tp_coastal_floor(in->coastal, at.x, at.z);
     return (tp_floor_plane){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
@@ -104,16 +81,16 @@ tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
 
     if (!in->coastal)
         return in->floor_plane;
-    tp_floor_plane here = sample_floor_plane(in, ray->at), bed = here;
+    tp_floor_plane here = tp_underwater_sample_floor(in, ray->at), bed = here;
     for (int n = 0; n < 2; n++) {
         tp_ground under = sample_ground(&bed, ray->at);
         tp_fx  way = distance_to_floor(&under, ray->at.y, down);
         way = way < 200 * TP_FX_ONE ? way : 200 * TP_FX_ONE;
-        bed = sample_floor_plane(in, point_along_ray(ray->at, down, way));
+        bed = tp_underwater_sample_floor(in, point_along_ray(ray->at, down, way));
     }
-    if (plane_depth_at_xz(&bed, ray->at) + (int64_t)ray->at.y <= 0)
+    if (tp_floor_plane_depth(&bed, ray->at) + (int64_t)ray->at.y <= 0)
         bed = here;             /* a far bank's slope does not pass under this point */
-    bed.nl = floor_light_cosine(in, bed.rise_x, bed.rise_z);
+    bed.nl = tp_underwater_floor_light_cosine(in, bed.rise_x, bed.rise_z);
     return bed;
 }
 
@@ -194,7 +171,7 @@ static inline tp_fx distance_to_wall(tp_fx from, int32_t speed, tp_fx low, tp_fx
 
     if (speed == 0)
         return TP_UNDERWATER_FAR;
-    return gap > 0 ? closing_distance(gap, speed > 0 ? speed : -speed) : 0;
+    return gap > 0 ? tp_underwater_closing_distance(gap, speed > 0 ? speed : -speed) : 0;
 }
 
 static inline bool is_between_walls(const tp_underwater *in, tp_vec3 at)
@@ -386,9 +363,9 @@ uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *bed,
     hit    h = first_hit(shade->underwater, &under, ray->at, ray->way);
     tp_fx  deep = ray->at.y < 0 ? -(ray->at.y + (ray->at.y == TP_FX_MIN)) : 0;
 
-    if (ray->way.y <= 0 || closing_distance(deep, ray->way.y) >= h.way)
+    if (ray->way.y <= 0 || tp_underwater_closing_distance(deep, ray->way.y) >= h.way)
         return shade_hit(shade, bed->nl, h, ray->at, ray->way, ray->far, body);
-    tp_fx   way = closing_distance(deep, ray->way.y);
+    tp_fx   way = tp_underwater_closing_distance(deep, ray->way.y);
     tp_refracted_ray on = { point_along_ray(ray->at, ray->way, way), ray->way,
                             tp_fx_saturate((int64_t)ray->far + way) };
     uint32_t colour =

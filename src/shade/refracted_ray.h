@@ -67,6 +67,40 @@ TP_ALWAYS_INLINE tp_ray tp_underwater_refract(const tp_underwater *underwater,
 void tp_underwater_set_start_points(const tp_shade *shade, const tp_run *run, int32_t i,
                                     int32_t stop, tp_refracted_ray *ray);
 
+/* -- distances to the floor ---------------------------------------------------------- */
+
+/* Returns the distance along a ray, m, until a `gap` >= 0 m is closed; the gap shrinks by
+ * `speed` > 0 per metre, Q1.14. */
+static inline tp_fx tp_underwater_closing_distance(tp_fx gap, int32_t speed)
+{
+    int     shift = tp_clz((uint32_t)speed);
+    int64_t way = (int64_t)gap * tp_recip_rough((uint32_t)speed << shift) >> (48 - shift);
+    return way < TP_UNDERWATER_FAR ? (tp_fx)way : TP_UNDERWATER_FAR;
+}
+
+/* Returns the rise of the plane from the world's origin to a point, Q32; sums may wrap. */
+static inline uint64_t tp_floor_plane_rise(const tp_floor_plane *plane, tp_fx x, tp_fx z)
+{
+    return (uint64_t)((int64_t)plane->rise_x * x) + (uint64_t)((int64_t)plane->rise_z * z);
+}
+
+/* Returns the depth of the plane below a point, m, clamped to 16 km. */
+static inline tp_fx tp_floor_plane_depth(const tp_floor_plane *plane, tp_vec3 at)
+{
+    if (plane->rise_x == 0 && plane->rise_z == 0)
+        return (tp_fx)tp_clamp_abs(plane->depth, TP_UNDERWATER_FAR);
+    int64_t rise = (int64_t)(tp_floor_plane_rise(plane, at.x, at.z)
+                             - tp_floor_plane_rise(plane, plane->x, plane->z));
+    return (tp_fx)tp_clamp_abs(plane->depth - (rise >> 16), TP_UNDERWATER_FAR);
+}
+
+/* Returns N.L of the sun on a floor of these slopes, Q1.14, at least 0. */
+int32_t tp_underwater_floor_light_cosine(const tp_underwater *in, tp_fx rise_x,
+                                         tp_fx rise_z);
+
+/* Returns the tangent plane of coastal water's floor at a point, without N.L. */
+tp_floor_plane tp_underwater_sample_floor(const tp_underwater *in, tp_vec3 at);
+
 /* -- colour along a ray -------------------------------------------------------------- */
 
 /* Returns the floor, as a plane, near the point where the ray would hit the floor. */

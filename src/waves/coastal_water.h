@@ -340,6 +340,12 @@ tp_coastal_point tp_coastal_displace_no_overhang(const tp_coastal_water *coastal
 tp_fx tp_coastal_max_displacement(const tp_coastal_water *coastal);
 tp_fx tp_coastal_max_height(const tp_coastal_water *coastal);
 
+/* True if the floor is one plane. */
+static inline bool tp_coastal_floor_is_plane(const tp_coastal_water *coastal)
+{
+    return coastal->map_cols == 0;
+}
+
 /* Returns the depth under a point, from the tables. */
 tp_floor_at tp_coastal_floor(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
 

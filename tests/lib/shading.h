@@ -298,6 +298,7 @@ static inline tp_shade quick_rough_shade(quick_lights *kept, int env, int lobe,
     kept->quick.rough = kept->rough;
     kept->quick.sky = kept->sky_words;
     kept->quick.levels = levels;
+    kept->quick.lit = false;
     tp_filtered_waves_clear(&kept->filtered);
     for (tp_fx depth = TP_FX_ONE; levels > 1 && depth < 4000 * TP_FX_ONE; depth *= 2)
         tp_filtered_waves_add_row(&kept->filtered, depth, (tp_slope_variance){

@@ -235,6 +235,74 @@ static void runs_may_be_cut_at_sixteenths(void **state)
     }
 }
 
+/* -- the fast stage ------------------------------------------------------------------ */
+
+/* Sets rest positions along a row with eight columns a cell. */
+static void places_along_a_row(const tp_pool *pool, test_run *r)
+{
+    for (int i = 0; i < TP_RUN; i++) {
+        r->s[i] = (uint32_t)(pool->x + (i - TP_RUN / 2) * (pool->cell / 8));
+        r->t[i] = (uint32_t)(pool->z + (i - TP_RUN / 2) * (pool->cell / 24));
+    }
+}
+
+/* With eight columns a cell the mean of two columns is off by at most an eighth of the
+ * largest slope: where the slope turns back at a cell's middle.  Stirred pools have 0.06. */
+static void fast_bumps_are_near_the_exact_ones(void **state)
+{
+    (void)state;
+    measure off = { .what = "fast bumps", .unit = "of the range" };
+
+    for (int n = 0; n < 300; n++) {
+        bumped b = any_bumped(TP_CELLS_16, n % 2 ? TP_EDGES_TILE : TP_EDGES_WALL, NULL,
+                              TP_FX_ONE);
+        test_run r;
+        int32_t most = 1;
+        run_any(&r, 1000, &chance);
+        places_along_a_row(b.pool, &r);
+        bump(&b, &r.run);
+        const tp_run exact = r.run;
+        memcpy(r.run.slope, r.n, sizeof r.n);
+        tp_stage_quick_pool_bump(&b.shade, &r.run);
+        for (int i = 0; i < TP_RUN; i++)
+            most = most > tp_abs(exact.sx[i] - (int16_t)(r.n[i] >> 16))
+                       ? most : tp_abs(exact.sx[i] - (int16_t)(r.n[i] >> 16));
+        for (int i = 0; i < TP_RUN; i++)
+            measure_add(&off, abs((int16_t)(r.run.slope[i] >> 16) - exact.sx[i])
+                                  / (double)most, n, i, most);
+        bumped_free(&b);
+    }
+    measure_print(&off);
+    assert_true(off.worst <= 0.125);
+}
+
+/* The same bits, whole and cut at multiples of 16 columns. */
+static void fast_runs_may_be_cut_at_sixteenths(void **state)
+{
+    (void)state;
+
+    for (int n = 0; n < 200; n++) {
+        bumped b = any_bumped(TP_CELLS_16, n % 2 ? TP_EDGES_TILE : TP_EDGES_WALL, NULL,
+                              TP_FX_ONE);
+        const int32_t cut = 16 * chance_int(&chance, 1, 3);
+        test_run r;
+        run_any(&r, 1000, &chance);
+        places_near(b.pool, &r);
+        if (n % 4 > 1)
+            b.bumps.pool[0].lod = 100;
+        r.run.mine = &b.bumps;
+        memcpy(r.run.slope, r.n, sizeof r.n);
+        tp_run first = run_part(&r.run, 0, cut), second = run_part(&r.run, cut, TP_RUN);
+        memcpy(second.slope, r.n + cut, (size_t)(TP_RUN - cut) * sizeof *r.n);
+        tp_stage_quick_pool_bump(&b.shade, &r.run);
+        tp_stage_quick_pool_bump(&b.shade, &first);
+        tp_stage_quick_pool_bump(&b.shade, &second);
+        assert_memory_equal(r.run.slope, first.slope, (size_t)cut * 4);
+        assert_memory_equal(r.run.slope + cut, second.slope, (size_t)(TP_RUN - cut) * 4);
+        bumped_free(&b);
+    }
+}
+
 int main(void)
 {
     chance = random_seed();
@@ -244,6 +312,8 @@ int main(void)
         cmocka_unit_test(bumps_fade_where_pixels_hold_cells),
         cmocka_unit_test(pool_and_field_add_up),
         cmocka_unit_test(runs_may_be_cut_at_sixteenths),
+        cmocka_unit_test(fast_bumps_are_near_the_exact_ones),
+        cmocka_unit_test(fast_runs_may_be_cut_at_sixteenths),
     };
     return cmocka_run_group_tests_name("features/water bumps", tests, NULL, NULL);
 }

@@ -223,12 +223,14 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
                        tp_shaders *list)
 {
     const tp_glass *glass = mine;
+    const bool fast = frame->scene->quality.refraction == TP_RUNG_FAST;
 
-    (void)frame;
     if (list->owner == &tp_glass_drawing)
-        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
+        tp_shaders_add(list, TP_AT_COLOUR,
+                       stage[fast ? TP_NTH_quick_tank_side : TP_NTH_tank_side], mine);
     if (glass->walls > 0)
-        tp_shaders_add(list, TP_AT_GLASS, stage[1], mine);
+        tp_shaders_add(list, TP_AT_GLASS, stage[fast ? TP_NTH_quick_pane : TP_NTH_pane],
+                       mine);
 }
 
 /* -- the module ---------------------------------------------------------------------- */

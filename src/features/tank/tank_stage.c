@@ -10,6 +10,7 @@
 #include "shade/env.h"
 #include "shade/material.h"
 #include "shade/refracted_ray.h"
+#include "shade/slope.h"
 
 /* -- stone --------------------------------------------------------------------------- */
 
@@ -79,6 +80,25 @@ void tp_stage_tank_side(const tp_shade *shade, tp_run *run)
     }
 }
 
+/* Fast: every second column of a block and its last one; the columns between take the
+ * mean. */
+void tp_stage_quick_tank_side(const tp_shade *shade, tp_run *run)
+{
+    tp_refracted_ray ray[TP_UNDERWATER_ROW];
+
+    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
+    for (int32_t i = 0, stop; i < run->count; i = stop) {
+        stop = tp_block_end(run, i);
+        tp_underwater_set_start_points(shade, run, i, stop, ray);
+        for (int32_t k = i; k < stop; k += 2)
+            run->colour[k] = side_colour(shade, run, k, ray[k - i]);
+        for (int32_t k = i + 1; k + 1 < stop; k += 2)
+            run->colour[k] = tp_uhadd8(run->colour[k - 1], run->colour[k + 1]);
+        if ((stop - i) % 2 == 0)
+            run->colour[stop - 1] = side_colour(shade, run, stop - 1, ray[stop - 1 - i]);
+    }
+}
+
 /* -- panes --------------------------------------------------------------------------- */
 
 /* Samples first to end - 1 of a run. */
@@ -138,8 +158,32 @@ static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, pane
     }
 }
 
-static void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
-                              const tp_glass_wall *wall, tp_run *run, pane_part p)
+/* The same with one share and one sky for each block of 16 columns: those of the middle of
+ * the samples in the block. */
+static void tint_by_blocks(const tp_shade *shade, const tp_glass *glass, tp_run *run,
+                           pane_part p, uint32_t face)
+{
+    const tp_ray n = wall_normal(face);
+    const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
+
+    for (int32_t i = p.first, stop; i < p.end; i = stop) {
+        stop = tp_block_end(run, i) < p.end ? tp_block_end(run, i) : p.end;
+        const tp_ray v = tp_quick_ray(shade, &row, 16 * run->x + 8 * (i + stop));
+        const int32_t nv = (v.x * n.x + v.z * n.z) >> 14;
+        const uint32_t share = shade->fresnel[tp_clamp(nv, 0, 16384) >> 6];
+        const uint32_t sky = tp_env_sample(shade, (2 * nv * n.x >> 14) - v.x, -v.y,
+                                           (2 * nv * n.z >> 14) - v.z);
+        const uint32_t kept = (256 - glass->share) * (256 - share) >> 8;
+        const uint32_t added =
+            tp_colour_mix(tp_colour_scale(glass->colour, glass->share), sky, share);
+        for (; i < stop; i++)
+            run->colour[i] = tp_colour_add(tp_colour_scale(run->colour[i], kept), added);
+    }
+}
+
+TP_ALWAYS_INLINE void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
+                                        const tp_glass_wall *wall, tp_run *run, pane_part p,
+                                        int fast)
 {
     int64_t v = shade->v0 - 16 * run->y - 8;
 
@@ -150,7 +194,9 @@ static void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
         bool seen = is_behind_glass(shade, wall, run->key[i], view);
         for (; i < p.end && seen == is_behind_glass(shade, wall, run->key[i], view); i++)
             view += wall->right * 16;
-        if (seen)
+        if (seen && fast)
+            tint_by_blocks(shade, glass, run, (pane_part){ from, i }, wall->face);
+        else if (seen)
             tint(shade, glass, run, (pane_part){ from, i }, wall->face);
     }
 }
@@ -176,7 +222,21 @@ void tp_stage_pane(const tp_shade *shade, tp_run *run)
         if (!viewed)
             tp_run_fill_vectors_to_eye(shade, &shade->world, run);
         viewed = true;
-        tint_behind_glass(shade, glass, wall, run, p);
+        tint_behind_glass(shade, glass, wall, run, p, 0);
+    }
+}
+
+void tp_stage_quick_pane(const tp_shade *shade, tp_run *run)
+{
+    const tp_glass *glass = run->mine;
+
+    for (uint32_t k = 0; k < 2 * glass->walls; k++) {
+        const tp_glass_wall *wall = &glass->wall[k / 2];
+        if (!is_run_in_wall_box(wall, run))
+            continue;
+        const pane_part p = covered_part(&wall->pane[k % 2], run);
+        if (p.first < p.end)
+            tint_behind_glass(shade, glass, wall, run, p, 1);
     }
 }
 

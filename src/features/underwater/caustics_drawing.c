@@ -265,12 +265,22 @@ static void make_light_map(const tp_frame *frame, tp_caustics *map)
     }
 }
 
+/* Returns the cells along a side of the map at the scene's rung, at least 8. */
+static uint32_t rung_cells(const tp_scene *scene, uint32_t cells)
+{
+    const int32_t rung = scene->quality.caustics;
+    const uint32_t halved = cells >> (rung > TP_RUNG_EXACT ? rung - TP_RUNG_EXACT : 0);
+
+    return halved > 8 ? halved : 8;
+}
+
 /* Makes the map of caustics for this picture: where its cells lie, and their light. */
 static void begin_caustic_map(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
     tp_caustics *map = mine;
-    uint32_t cells = map->look.cells;
+    const uint32_t wanted = rung_cells(scene, map->cells);
+    const uint32_t cells = wanted < map->room ? wanted : map->room;
     tp_rectangle r = caustic_rectangle(frame, (int32_t)cells);
     tp_fx wide = tp_fx_saturate((int64_t)r.x1 - r.x0),
           deep = tp_fx_saturate((int64_t)r.z1 - r.z0);
@@ -309,14 +319,16 @@ bool tp_caustics_enabled(const tp_module_conditions *conditions)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    const size_t cells = (size_t)conditions->scene->water.caustic_cells;
+    const uint32_t all = (uint32_t)conditions->scene->water.caustic_cells;
+    const size_t cells = rung_cells(conditions->scene, all);
     tp_caustics *map = tp_arena_alloc(arena, 1, sizeof *map);
     uint16_t *light = tp_arena_alloc(arena, cells * cells, sizeof *light);
     tp_caustic_vertex *row = tp_arena_alloc(arena, 2 * (cells + 1), sizeof *row);
 
     TP_ASSERT(cells > 0);
     if (map)
-        *map = (tp_caustics){ .look.cells = (uint32_t)cells, .light = light, .row = row };
+        *map = (tp_caustics){ .light = light, .row = row, .cells = all,
+                              .room = (uint32_t)cells };
     return map;
 }
 
@@ -333,7 +345,7 @@ const tp_stage tp_caustics_stages[] = { NULL };
 /* Counts the cells of the map, over a tank's floor or the sea floor. */
 static void count_work(tp_site *w)
 {
-    const uint32_t cells = (uint32_t)w->scene->water.caustic_cells;
+    const uint32_t cells = rung_cells(w->scene, (uint32_t)w->scene->water.caustic_cells);
     const int way = tp_has_tank(w->scene) ? TP_WORK_caustic_pool : TP_WORK_caustic_sea;
 
     w->fixed_cost.of[way] = cells * cells;

@@ -7,6 +7,9 @@
  *                            from above) and refraction (a planar map of the objects under
  *                            the level); the cost of caustics
  *     underwater_stage.c     the span stages of both views
+ *     fast_refraction_stage.c  the fast span stage of the view from above;
+ *     fast_floor_stage.c       its floor,
+ *     fast_walls_stage.c       its caustics and walls
  *     caustics_drawing.c     the module caustics: sunlight focused on the floor by waves
  */
 #ifndef TP_FEATURES_UNDERWATER_UNDERWATER_H
@@ -22,10 +25,28 @@
 #define TP_REFRACTION_ID  TP_MODULE_ID('r', 'f', 'r', 'a')
 #define TP_CLEAR_WATER_ID TP_MODULE_ID('c', 'l', 'e', 'a')
 
+/* Numbers of a frame for the fast view into the water, see fast_refraction_stage.c. */
+typedef struct {
+    bool     plane;             /* true: the floor is one plane */
+    tp_floor_plane floor;       /* if it is; with N.L */
+    tp_fx    opaque;            /* path in the water, m, after which nothing is seen */
+    uint32_t lit;               /* light on level water, Q8 */
+} tp_fast_refraction;
+
 /* Data of the clear water stages, in tp_run.mine. */
 typedef struct {
     const tp_planar_map *refraction_map;      /* refraction map, or NULL */
+    tp_fast_refraction fast;
 } tp_clear_water;
+
+/* fast_refraction_stage.c.  Sets the numbers of the fast stage. */
+void tp_fast_refraction_begin(const tp_shade *shade, tp_fast_refraction *fast);
+
+/* underwater_stage.c.  Returns a colour with the refraction map mixed over it, at sample i
+ * of a run: `depth` of the sample, m, and x and z of its normal, Q1.14. */
+uint32_t tp_refraction_map_mix(const tp_shade *shade, const tp_planar_map *map,
+                               const tp_run *run, int32_t i, tp_fx depth, int32_t nx,
+                               int32_t nz, uint32_t colour);
 
 /* name, slopes bent by a ripple, dispersed colours; in the order of the stage table */
 #define TP_CLEAR_WATER_STAGES(X) \
@@ -53,6 +74,7 @@ typedef struct {
     tp_rectangle       place;
     tp_fall            level_fall;   /* of the light through still water */
     tp_fall            sun_fall;     /* of the light above the water */
+    uint32_t           cells, room;  /* of the exact rung; that the memory holds; a side */
 } tp_caustics;
 
 /* -- parameters ---------------------------------------------------------------------- */

@@ -227,23 +227,27 @@ static void begin_clear_water(tp_frame *frame, void *mine)
 {
     tp_clear_water *clear = mine;
 
-    (void)frame;
     clear->refraction_map = NULL;
+    if (frame->scene->quality.refraction == TP_RUNG_FAST)
+        tp_fast_refraction_begin(&frame->shade, &clear->fast);
 }
 
-/* Adds the stage.  It reads the view vectors and mixes with the lit colour. */
+/* Adds the stage.  The exact one reads the view vectors and mixes with the lit colour; the
+ * fast one comes before light. */
 static void add_clear_water_stage(const tp_frame *frame, const void *mine,
                                   const tp_stage *stage, tp_shaders *list)
 {
     const bool dispersed = frame->scene->water.dispersion > 0;
 
+    if (list->kind == TP_LIST_FAST)
+        tp_shaders_add(list, TP_AT_VIEW, stage[TP_NTH_quick_refract], mine);
     if (list->kind == TP_LIST_WATER && tp_shaders_has(list, TP_AT_VIEW))
         tp_shaders_add(list, TP_AT_REFRACT, stage[list->rippled + 2 * dispersed], mine);
 }
 
 const tp_module tp_clear_water_module = {
     .name = "clear water", .id = TP_CLEAR_WATER_ID,
-    .is = TP_MODULE_EXACT, .trait = TP_TRAIT_behind,
+    .is = TP_MODULE_UNPRICED | TP_MODULE_CLEAR, .trait = TP_TRAIT_behind,
     .enabled = tp_clear_water_enabled, .count = set_cost_traits,
 };
 

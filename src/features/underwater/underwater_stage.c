@@ -143,9 +143,9 @@ TP_ALWAYS_INLINE void refract_rays(const tp_shade *shade, const tp_run *run, int
 
 /* Mixes the refraction map over a colour.  The place in the map is displaced as for an
  * object half a metre under the surface, by a quarter of the slope [F4]. */
-static uint32_t mix_refraction_map(const tp_shade *shade, const tp_planar_map *map,
-                                   const tp_run *run, int32_t i, tp_fx depth, int32_t nx,
-                                   int32_t nz, uint32_t colour)
+uint32_t tp_refraction_map_mix(const tp_shade *shade, const tp_planar_map *map,
+                               const tp_run *run, int32_t i, tp_fx depth, int32_t nx,
+                               int32_t nz, uint32_t colour)
 {
     const tp_view_axes *axes = &shade->world;
     int32_t across = (int32_t)(((int64_t)axes->right.x * nx + (int64_t)axes->right.z * nz)
@@ -211,8 +211,9 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
         else
             tp_underwater_shade_row(shade, ends, ray, count, body, seen);
         for (int32_t k = 0; clear->refraction_map && k < count; k++)
-            seen[k] = mix_refraction_map(shade, clear->refraction_map, run, i + k,
-                                         ray[k].far, surface[k].x, surface[k].z, seen[k]);
+            seen[k] = tp_refraction_map_mix(shade, clear->refraction_map, run, i + k,
+                                            ray[k].far, surface[k].x, surface[k].z,
+                                            seen[k]);
         i = stop;
     }
 }
@@ -226,4 +227,5 @@ const tp_stage tp_clear_water_stages[] = {
 #define X(name, rippled, dispersed) [2 * (dispersed) + (rippled)] = tp_stage_##name,
     TP_CLEAR_WATER_STAGES(X)
 #undef X
+    [TP_NTH_quick_refract] = tp_stage_quick_refract,
 };

@@ -222,6 +222,7 @@ TP_ALWAYS_INLINE size_t tp_quick_sky_words(int env, uint32_t levels)
 struct tp_quick_light {
     tp_quick_rough *rough;              /* by level of roughness */
     uint32_t levels;                    /* in use */
+    bool     lit;                       /* true: an earlier stage lights the colours */
     uint32_t *sky;                      /* tp_quick_sky_words */
     int32_t  made_for[TP_QUICK_KEY];    /* inputs; the first is >= 0 */
 };
@@ -374,7 +375,7 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_view_advance(tp_quick_view v, tp_quick_v
 }
 
 /* The light.  back: -L as x : z, Q1.14; y: Ly, Q26; ambient: ambient share, Q16; direct:
- * added light per 1/255 of N.L; the sum is at most 65535. */
+ * added light per 1/255 of N.L; the sum is at most 65536. */
 typedef struct {
     uint32_t back;
     int32_t  y, ambient, direct;
@@ -382,9 +383,11 @@ typedef struct {
 
 static inline tp_quick_sun tp_quick_sun_make(const tp_shade *shade)
 {
+    const int32_t ambient = shade->quick->lit ? 256 : shade->ambient;
+
     return (tp_quick_sun){ tp_pair16(-shade->world.lx, -shade->world.lz),
-                           shade->world.ly * 4096, shade->ambient * 256,
-                           (256 - shade->ambient) * 257 >> 8 };
+                           shade->world.ly * 4096, ambient * 256,
+                           (256 - ambient) * 257 >> 8 };
 }
 
 /* Returns the light where waves that face the eye hide the others.  seen, -direct..direct:

@@ -167,6 +167,12 @@ static bool has_ripples(const tp_frame *frame, const tp_quick_layers *layers)
     return layers->ripple.level && frame->scene->ripple.bump > 0;
 }
 
+/* True if a texture or a pool bends the normals of flat water. */
+static bool bends_normals(const tp_frame *frame, const tp_quick_layers *layers)
+{
+    return has_ripples(frame, layers) || tp_frame_has_module(frame, TP_MODULE_SLOPES);
+}
+
 /* Returns the lobe.  A dome always needs a lobe, because its glow is in the lobe's
  * table. */
 static tp_lobe select_lobe(const tp_frame *frame)
@@ -218,8 +224,9 @@ static void begin_fast_water(tp_frame *frame, void *mine)
     if (frame->rungs.shading != TP_SHADING_QUICK)
         return;
     quick_begin_layers(frame, fast);
-    const bool ripples = has_ripples(frame, &fast->layers);
+    const bool ripples = bends_normals(frame, &fast->layers);
     frame->shade.quick = &fast->light;
+    fast->light.lit = tp_frame_has_module(frame, TP_MODULE_CLEAR);
     fast->light.levels =
         frame->shade.ripple || frame->shade.filtered ? fast->levels : 1;
     update_tables(frame, &fast->light, ripples);
@@ -257,9 +264,11 @@ static void init(tp_frame *frame, void *mine)
 
 /* -- the shader list ----------------------------------------------------------------- */
 
+/* Stages; those from `light` on come after the stages of other modules that change slopes
+ * and colours. */
 typedef struct {
     tp_stage stage[MOST];
-    uint32_t count;
+    uint32_t count, light;
 } chain;
 
 static void append_stage(chain *c, tp_stage stage)
@@ -322,6 +331,7 @@ static void append_layer_stages(chain *c, const tp_frame *frame,
                         ? frame->program->stage.plain
                         : layers_stage(stage, thin, is_linear(frame, quality->layers)));
     append_stage(c, ripples_stage(frame, stage, ripples));
+    c->light = c->count;
 }
 
 static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *layers,
@@ -341,7 +351,8 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
           TP_NTH_quick_cube_blinn_half },
     };
     const bool lit = tp_frame_has_module(frame, TP_MODULE_LIGHT);
-    const bool halved = lit && frame->scene->quality.light == TP_RUNG_FAST;
+    const bool halved = lit && frame->scene->quality.light == TP_RUNG_FAST
+                     && !tp_frame_has_module(frame, TP_MODULE_CLEAR);
     chain c = { .count = 0 };
 
     append_layer_stages(&c, frame, layers, stage, halved);
@@ -379,7 +390,7 @@ static bool add_chain_if_complete(tp_shaders *list, const chain *c, const void *
         if (!c->stage[i])
             return false;
     for (uint32_t i = 0; i < c->count; i++)
-        tp_shaders_add(list, TP_AT_COLOUR, c->stage[i], mine);
+        tp_shaders_add(list, i < c->light ? TP_AT_COLOUR : TP_AT_LIGHT, c->stage[i], mine);
     return true;
 }
 
@@ -387,14 +398,16 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
                        tp_shaders *list)
 {
     const tp_quick_layers *layers = &((const tp_fast_water *)mine)->layers;
+    const bool clear = tp_frame_has_module(frame, TP_MODULE_CLEAR);
 
-    if (list->kind != TP_LIST_FAST)
-        return;
+    if (list->kind != TP_LIST_FAST || (clear && !tp_shaders_has(list, TP_AT_VIEW)))
+        return;         /* the program lacks the stage that lights clear water */
     if (tp_frame_has_module(frame, TP_MODULE_MIRROR))
         tp_shaders_add(list, TP_AT_FRESNEL,
                        stage[TP_NTH_quick_over_gradient + (int)frame->shade.env.kind], mine);
     const chain halves = make_half_rate_colour_chain(frame, layers, stage);
-    if (frame->rungs.rate == TP_RATE_COLOUR && add_chain_if_complete(list, &halves, mine))
+    if (frame->rungs.rate == TP_RATE_COLOUR && !clear   /* its stage needs all columns */
+        && add_chain_if_complete(list, &halves, mine))
         return;
     const chain columns = make_full_rate_chain(frame, layers, stage);
     add_chain_if_complete(list, &columns, mine);

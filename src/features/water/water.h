@@ -6,6 +6,7 @@
  *     water_drawing.c        the data of a frame, and the choice of stages
  *     layers_stage.c         textures: base layer, added layers, distortion
  *     ripple_stage.c         normals: capillary waves, and pools that leave the mesh flat
+ *     fast_bumps_stage.c     the same of pools, by fast shading
  *     lighting_stage.c       light, reflected sky, glints
  *     fast_water_drawing.c   the same by fast shading, see fast_shading.h
  */

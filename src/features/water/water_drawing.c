@@ -181,10 +181,14 @@ static void add_bumps_stage(const tp_frame *frame, const void *mine, const tp_st
     const tp_pool_bump *pool = ((const bumps *)mine)->look.pool;
 
     (void)frame;
-    if (!tp_shaders_is_exact_water(list) || !(pool[0].slope || pool[1].slope))
+    if (!(pool[0].slope || pool[1].slope))
         return;
-    tp_shaders_add(list, TP_AT_SLOPE, stage[0], mine);
-    list->rippled |= stage[0] != NULL;
+    if (list->kind == TP_LIST_FAST)
+        tp_shaders_add(list, TP_AT_SLOPE, stage[TP_NTH_quick_pool_bump], mine);
+    if (!tp_shaders_is_exact_water(list))
+        return;
+    tp_shaders_add(list, TP_AT_SLOPE, stage[TP_NTH_pool_bump], mine);
+    list->rippled |= stage[TP_NTH_pool_bump] != NULL;
 }
 
 const tp_drawing tp_bumps_drawing = {

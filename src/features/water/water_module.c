@@ -140,11 +140,18 @@ static bool is_priced(const tp_module_conditions *conditions)
            && !(conditions->above & TP_MODULE_UNPRICED);
 }
 
+/* True if no module needs exact stages.  The exact view into clear water is one. */
+static bool has_fast_stages(const tp_module_conditions *conditions)
+{
+    return !(conditions->above & TP_MODULE_EXACT)
+           && (!(conditions->above & TP_MODULE_CLEAR)
+               || conditions->scene->quality.refraction == TP_RUNG_FAST);
+}
+
 /* True if fast shading can draw the water, and the plan or the scene may choose it. */
 bool tp_fast_water_enabled(const tp_module_conditions *conditions)
 {
-    return (conditions->shadings >> TP_SHADING_QUICK & 1)
-           && !(conditions->above & TP_MODULE_EXACT)
+    return (conditions->shadings >> TP_SHADING_QUICK & 1) && has_fast_stages(conditions)
            && (conditions->scene->quality.shading == TP_SHADING_QUICK
                || is_priced(conditions));
 }
@@ -153,7 +160,7 @@ bool tp_fast_water_enabled(const tp_module_conditions *conditions)
 
 const tp_module tp_bumps_module = {
     .name = "bumps", .id = TP_BUMPS_ID,
-    .is = TP_MODULE_EXACT | TP_MODULE_SLOPES,
+    .is = TP_MODULE_UNPRICED | TP_MODULE_SLOPES,
     .enabled = tp_bumps_enabled, .count = set_bump_traits,
 };
 
