@@ -99,6 +99,9 @@ typedef struct {
     const tp_program *program;      /* NULL: the linked program */
     const tp_assets  *assets;       /* NULL: the scene's built-in pictures, or none */
     tp_overlay overlay;             /* from tp_overlay_make; all zero: none */
+    bool      depth;                /* true: tp_frame_sample_row gives the depth of the
+                                     * drawn water at every rung; an overlay implies it.
+                                     * The picture does not depend on it */
 } tp_config;
 
 /* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL,
@@ -206,7 +209,9 @@ typedef enum {
 /* Writes the depth of each pixel, m along the camera's direction, and its tp_sample_kind;
  * `depth` or `kind` may be NULL.  The depth's error is at most depth^2 / (near 2^24) plus
  * half a unit of 16.16.  In the sky the depth is TP_FX_MAX.  Pixels behind the lid of a
- * boat have the depth of the lid. */
+ * boat have the depth of the lid.  Fast rows (quality.rows = fast or pairs) and walked water
+ * keep the depth of level water instead of the drawn water's, unless tp_config.depth asks
+ * for it. */
 void tp_frame_sample_row(const tp_frame *frame, const void *scratch, const tp_tile *tile,
                          uint32_t y, tp_fx *depth, uint8_t *kind);
 

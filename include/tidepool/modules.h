@@ -108,7 +108,9 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(triangles)    /* of the grid; fallback of the other renderers */ \
     X(rows)         /* scanlines of the grid; needs triangles */ \
     X(projected)    /* screen grid: displaced lines over the picture */ \
-    X(flat)         /* a level plane with the slopes of its waves */
+    X(flat)         /* a level plane with the slopes of its waves */ \
+    X(lines)        /* rungs fast and pairs of rows; needs rows */ \
+    X(walk)         /* lines over the picture, for level views of swells */
 
 struct tp_water_renderer;
 #define X(name) extern const struct tp_water_renderer tp_method_##name;

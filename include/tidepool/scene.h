@@ -62,7 +62,7 @@ typedef enum {
  * a camera in the water, strong roll ...) is drawn as triangles. */
 typedef enum {
     TP_VISIBILITY_AUTO, TP_VISIBILITY_TRIANGLES, TP_VISIBILITY_ROWS,
-    TP_VISIBILITY_PROJECTED, TP_VISIBILITY_FLAT
+    TP_VISIBILITY_PROJECTED, TP_VISIBILITY_FLAT, TP_VISIBILITY_WALK
 } tp_visibility;
 
 /* Exact shading, or fast shading: lighting from slopes, nearest texels. */
@@ -92,10 +92,12 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(solids, "auto|exact|fast", 2, "light of solids: normal maps, or vertices alone") \
     X(mesh, "auto|full|middle|low", 3, "mesh of the boat: boat.mesh, NAME-mid, NAME-low") \
     X(triangles, "auto|exact|fast", 2, "cells of the water: exact triangles, or planes") \
-    X(lines, "auto|all|half", 2, "rows of water: each shaded, or every second one")
+    X(lines, "auto|all|half", 2, "rows of water: each shaded, or every second one") \
+    X(rows, "auto|exact|fast|pairs", 3, \
+      "water by lines: each column, without depths, or pairs of columns")
 
 /* The first rungs of every effect. */
-enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST };
+enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST, TP_RUNG_PAIRS };
 
 /* Quality targets. */
 typedef struct {

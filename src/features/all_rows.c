@@ -149,7 +149,7 @@ static const tp_param rows[] = {
     TP_ROW_NUMBER("quality.error_colour", quality.error_colour, "levels", 0, 255, 2,
         "largest error of colours allowed for speed, rms of 255"),
     TP_ROW_CHOICE("quality.visibility", quality.visibility,
-        "auto|triangles|rows|projected|flat", TP_VISIBILITY_FLAT, TP_VISIBILITY_AUTO,
+        "auto|triangles|rows|projected|flat|walk", TP_VISIBILITY_WALK, TP_VISIBILITY_AUTO,
         "method that finds the water's surface in each pixel"),
     TP_ROW_CHOICE("quality.shading", quality.shading, "auto|exact|quick",
         TP_SHADING_QUICK, TP_SHADING_AUTO,

@@ -56,6 +56,7 @@ static inline bool tp_box_overlaps_tile(const tp_grid_box *box, const tp_gbuffer
 }
 
 #define TP_BOX_NONE (tp_grid_box){ INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN }
+#define TP_BOX_ALL  (tp_grid_box){ INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX }
 
 static inline void tp_box_widen(tp_grid_box *box, int32_t u, int32_t v)
 {

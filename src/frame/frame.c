@@ -19,7 +19,7 @@ static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
                              const tp_program *program, const tp_scene *scene,
                              const tp_config *config)
 {
-    for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_FLAT; v++) {
+    for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_WALK; v++) {
         const struct tp_water_renderer *method =
             tp_frame_renderer(program, (tp_visibility)v);
         if (p->rung_mask.visibility >> v & 1 && method)
@@ -78,6 +78,7 @@ static tp_frame *allocate_frame(const tp_program *program, tp_frame_buffers *buf
 
     *buffers = (tp_frame_buffers){
         .rung_mask = tp_frame_rung_mask(program, scene, assets, config),
+        .column_bytes = (uint32_t)tp_renderer_column_bytes(program, scene),
     };
     layout_renderers(buffers, arena, program, scene, config);
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
@@ -230,7 +231,7 @@ static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool 
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
     const uint32_t planes = count_planes(c.program, scene);
-    const size_t method = tp_renderer_column_bytes(c.program) * c.tile_width
+    const size_t method = tp_renderer_column_bytes(c.program, scene) * c.tile_width
                           + TP_GRID_WINDOW(streamed_cols(c.program, scene));
     const size_t samples = (size_t)c.tile_width
                          * (c.tile_height + count_extra_rows(&c, scene));
@@ -335,7 +336,7 @@ static void draw_maps_and_place_solids(tp_frame *frame)
     frame->view =
         (tp_view){ .projection = &frame->projection, .picture = true, .walls = true };
     tp_view_begin(frame, &frame->view);
-    tp_view_project_solids(frame, &frame->view);
+    frame->solids = tp_view_project_solids(frame, &frame->view);
 }
 
 void tp_frame_begin(tp_frame *frame, const tp_world *world)

@@ -10,6 +10,7 @@
 #include "pixel/pixel.h"
 #include "quality/plan.h"
 #include "quality/prices.h"
+#include "raster/fast_scanlines.h"
 #include "raster/raster.h"
 #include "view/fan.h"
 #include "view/wave_models.h"
@@ -44,6 +45,9 @@ typedef struct tp_frame_buffers {
     uint32_t         slope_cols;
     tp_culled_deep_water *culled;
     struct tp_frame_lines *lines;       /* scanline grid; NULL: rows cannot draw */
+    struct tp_fast_lines *fast_lines;   /* for its fast rungs; NULL: rows are exact */
+    struct tp_walk  *walk;              /* lines of walked water; NULL: it cannot draw */
+    uint32_t         column_bytes;      /* scratch of the renderers per column */
     uint32_t         lacks;             /* modules without enough stencil values */
     void           **module;            /* memory of each module of the program, or NULL */
     uint8_t         *mark;              /* first stencil value of each module, or 0 */
@@ -78,6 +82,11 @@ struct tp_frame {
 
     const struct tp_draw_half_lines *half_lines;    /* named at init; NULL: none */
     uint32_t         extra_rows;        /* of a tile's samples, for half_lines */
+    uint8_t          column_bits;       /* of fast rows and walked water, see tp_fast_rows;
+                                         * 0: other water */
+    const tp_level_linear *level_zi;    /* near / depth of level water, Q1.43, for these */
+    bool             level_keys;        /* true: stages read the depth of level water */
+    tp_grid_box      solids;            /* box of the picture's solids */
 
     tp_view          view;              /* render view of the picture itself */
     uint64_t         modules_on;        /* bits in the order of the program's list */
@@ -133,6 +142,11 @@ void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory);
 
+/* Draws the surface into a tile without solids, which need not be cleared, if the renderer
+ * can; else returns false.  *found receives the rows without and with sky. */
+bool tp_frame_draw_surface_alone(const tp_frame *frame, const tp_gbuffer *tile,
+                                 void *memory, tp_water_rows *found);
+
 /* slope_grid.c: the level plane and the slope grid of flat water.
  * tp_frame_can_use_level_plane: true if swells of deep water alone move the water (no
  * rings, pools, tank or coastal water), the eye is above all crests, and memory for the
@@ -166,10 +180,14 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
 }
 
 /* tile.c: sets up the run at (x, y) and returns its shader list; shades a run; lets the
- * application draw on the colours of row y. */
+ * application draw on the colours of row y.  alike: the whole row of the tile has one
+ * stencil value.  level: water is shaded by the depth of level water if the stages read
+ * that in tiles without the depth of the drawn water; mirrored objects would come off their
+ * hulls by it. */
 const tp_shaders *tp_frame_begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
-                                     int32_t y, tp_run *run);
-void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run);
+                                     int32_t y, bool alike, tp_run *run);
+void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, bool level,
+                        tp_run *run);
 void tp_frame_overlay_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
                           uint32_t *colours);
 
@@ -242,14 +260,28 @@ struct tp_water_renderer {
     void (*place)(tp_frame *frame);
     void (*draw)(const tp_frame *frame, tp_gbuffer *tile, void *memory);
     bool streams;                       /* triangles: grid vertices are not stored */
+    /* Draws into a tile without solids, which need not be cleared, and sets all keys.
+     * Returns false if it cannot.  NULL: it never can. */
+    bool (*draw_alone)(const tp_frame *frame, const tp_gbuffer *tile, void *memory,
+                       tp_water_rows *found);
 };
 
-#define TP_RENDERER_BYTES sizeof(tp_row_column)
+/* True if the scene asks for fast rows and the program has them. */
+static inline bool tp_frame_asks_fast_rows(const tp_program *program, const tp_scene *scene)
+{
+    return scene->quality.rows >= TP_RUNG_FAST && program->method.rows
+           && program->method.lines;
+}
 
 /* Scratch bytes per column; 0 if no renderer of the program works by columns. */
-static inline size_t tp_renderer_column_bytes(const tp_program *program)
+static inline size_t tp_renderer_column_bytes(const tp_program *program,
+                                              const tp_scene *scene)
 {
-    return program->method.rows || program->method.projected ? TP_RENDERER_BYTES : 0;
+    return tp_frame_asks_fast_rows(program, scene)
+                   || (program->method.walk
+                       && scene->quality.visibility == TP_VISIBILITY_WALK)
+               ? tp_fast_rows_bytes(1, 4)
+         : program->method.rows || program->method.projected ? sizeof(tp_row_column) : 0;
 }
 
 /* The water's triangles by cheaper arithmetic, for quality.triangles = fast. */
@@ -267,8 +299,8 @@ typedef struct {
 struct tp_draw_half_lines {
     uint32_t (*extra_rows)(uint32_t tile_height, uint32_t height);
     tp_line_bounds (*bounds)(int32_t y0, int32_t y1, int32_t height);
-    void (*draw)(const tp_frame *frame, const tp_gbuffer *samples, const tp_tile *tile,
-                 uint8_t *row);
+    void (*draw)(const tp_frame *frame, const tp_gbuffer *samples,
+                 const tp_water_rows *found, const tp_tile *tile, uint8_t *row);
 };
 
 /* The quality plan, see planned.c. */
@@ -311,6 +343,21 @@ typedef struct tp_frame_lines {
     tp_frame_line  *line;       /* one for each row of cells, in the grid's order */
     tp_line_reach  *reach;      /* of each block of each line */
 } tp_frame_lines;
+
+/* Numbers of each line, and of level water, for fast rows. */
+typedef struct tp_fast_lines {
+    tp_line_scale  *scale;      /* one for each line, in the grid's order */
+    tp_level_linear zi;         /* near / depth of level water */
+} tp_fast_lines;
+
+/* level_keys.c: writes the keys of water at pixels (x, y) to (x + count - 1, y) by the
+ * depth of level water. */
+void tp_frame_write_level_keys(const tp_frame *frame, int32_t x, int32_t y, int32_t count,
+                               uint32_t *key);
+
+/* level_keys.c: sets the keys of a tile drawn alone. */
+void tp_frame_write_alone_keys(const tp_frame *frame, const tp_fast_rows *rows,
+                               const tp_water_rows *found);
 
 /* Point m of line k, which the window must hold. */
 static inline const tp_grid_vertex *tp_line_vertex(const tp_grid_window *window,
@@ -357,6 +404,32 @@ tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, 
  * TP_GRID_NEEDS_CLIP. */
 void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
                   tp_row_point end[2]);
+
+/* A range of columns of pixels, x1 not included; empty: x0 >= x1. */
+typedef struct {
+    int32_t x0, x1;
+} tp_column_range;
+
+static inline bool tp_line_is_reached(tp_line_reach reach, tp_column_range columns)
+{
+    return reach.x0 < columns.x1 && reach.x1 >= columns.x0;
+}
+
+/* scanline_water.c: walks a tile's lines from near to far.
+ * tp_line_columns: the tile's columns where row k does not lie below the tile.
+ * tp_line_next_columns: the columns where line k matters for the tile; *columns are those of
+ * row k, then those of row k - 1; *columns are empty before the first line.
+ * tp_line_load: makes the window hold the part of line k in these columns, or all of it.
+ * tp_line_is_land: true if segment m of line k has land on both sides.
+ * tp_line_draw_triangles: draws row k of cells. */
+tp_column_range tp_line_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k);
+tp_column_range tp_line_next_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k,
+                           tp_column_range *columns);
+void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
+                  tp_column_range columns, bool whole);
+bool tp_line_is_land(const tp_frame *frame, uint32_t k, uint32_t m);
+void tp_line_draw_triangles(const tp_frame *frame, const tp_gbuffer *tile,
+                            tp_grid_window *window, uint32_t k);
 
 /* Lay out the lines' memory if rows can draw, and place the lines of a frame. */
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,

@@ -260,7 +260,7 @@ static void place_water(tp_frame *frame)
 tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory)
 {
     void *rows = (uint8_t *)memory
-                 + tp_renderer_column_bytes(frame->program) * frame->config.tile_width;
+                 + (size_t)frame->buffers.column_bytes * frame->config.tile_width;
     return tp_grid_window_init(rows);
 }
 

@@ -32,14 +32,22 @@ static size_t row_index(const tp_gbuffer *tile, int32_t y)
     return (size_t)(uint32_t)(y - tile->y0) * tile->stride;
 }
 
-static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y)
+/* True if the row of a tile drawn alone, see tp_water_rows, has one kind of sample. */
+static bool is_alike(const tp_water_rows *found, int32_t y)
+{
+    return found && (y < found->sky_end || y >= found->water_begin);
+}
+
+static void shade_row(const tp_frame *frame, const tp_gbuffer *tile,
+                      const tp_water_rows *found, int32_t y)
 {
     uint32_t *to = tile->n + row_index(tile, y) - tile->x0;
     tp_run run;
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y, &run);
-        tp_frame_shade_run(frame, list, &run);
+        const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y,
+                                                    is_alike(found, y), &run);
+        tp_frame_shade_run(frame, list, !found, &run);
         memcpy(to + x, run.colour, (size_t)run.count * sizeof *to);
     }
 }
@@ -72,7 +80,8 @@ static void mix(uint32_t *to, const uint32_t *above, const uint32_t *below, int3
 
 /* Fills the row's colours: means of both neighbours where these are water too.  The rest is
  * shaded, and so is the last row of a picture. */
-static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y)
+static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
+                          const tp_water_rows *found, int32_t y)
 {
     const size_t at = row_index(tile, y);
     const bool last = y + 1 >= tile->y1;
@@ -83,7 +92,8 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const int32_t i = x - tile->x0;
-        const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y, &run);
+        const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y,
+                                                    is_alike(found, y), &run);
         bool both = false;
         if (!last && TP_MARK(run.key[0]) == TP_MARK_WATER)
             run.count = count_alike(above + i, below + i, run.count, &both);
@@ -91,7 +101,7 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t
             mix(to + i, to + i - tile->stride, to + i + tile->stride, run.count);
             continue;
         }
-        tp_frame_shade_run(frame, list, &run);
+        tp_frame_shade_run(frame, list, !found, &run);
         memcpy(to + i, run.colour, (size_t)run.count * sizeof *to);
     }
 }
@@ -132,17 +142,17 @@ static void store_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
         frame->program->store[frame->config.format](to, 0, tile->x0, y, colours, count);
 }
 
-static void draw_rows(const tp_frame *frame, const tp_gbuffer *samples, const tp_tile *tile,
-                      uint8_t *row)
+static void draw_rows(const tp_frame *frame, const tp_gbuffer *samples,
+                      const tp_water_rows *found, const tp_tile *tile, uint8_t *row)
 {
     const int32_t y0 = (int32_t)tile->y0, y1 = (int32_t)tile->y1;
 
     for (int32_t y = samples->y0; y < samples->y1; y++)
         if (!is_mean_row(y))
-            shade_row(frame, samples, y);
+            shade_row(frame, samples, found, y);
     for (int32_t y = y0; y < y1; y++)
         if (is_mean_row(y))
-            fill_mean_row(frame, samples, y);
+            fill_mean_row(frame, samples, found, y);
     for (int32_t y = y0; y < y1; y++, row += tile->stride)
         store_row(frame, samples, y, row);
 }

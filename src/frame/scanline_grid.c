@@ -139,8 +139,6 @@ void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_progra
 {
     const uint32_t vertices = tp_fan_budget(scene), lines = tp_fan_most_rows(vertices);
 
-    (void)program;
-    (void)config;
     tp_frame_lines *to = tp_arena_alloc(arena, 1, sizeof *to);
     const tp_frame_lines l = {
         .line = tp_arena_alloc(arena, lines, sizeof *l.line),
@@ -149,6 +147,8 @@ void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_progra
     if (to)
         *to = l;
     buffers->lines = to;
+    if (tp_frame_asks_fast_rows(program, scene))
+        program->method.lines->layout(buffers, arena, program, scene, config);
 }
 
 tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,

@@ -9,13 +9,8 @@ typedef struct {
     const tp_frame *frame;
     tp_grid_window  window;
     tp_rows         rows;
-    int32_t         x0, x1;     /* columns of the current row of cells; empty: x0 >= x1 */
+    tp_column_range      columns;    /* of the current row of cells; empty: x0 >= x1 */
 } walk;
-
-static void draw_cells(walk *w, uint32_t k, uint32_t first, uint32_t end)
-{
-    tp_frame_draw_cells(w->frame, w->rows.tile, &w->window, k, first, end);
-}
 
 enum { GAP, JOIN, ON };
 
@@ -29,38 +24,37 @@ static const tp_grid_box *row_boxes(const tp_frame *frame, uint32_t k)
     return frame->buffers.lines->box + (size_t)k * frame->buffers.lines->blocks;
 }
 
-/* Returns the tile's columns where row k does not lie below the tile. */
-static void find_columns(const walk *w, uint32_t k, int32_t *x0, int32_t *x1)
+tp_column_range tp_line_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k)
 {
-    const tp_gbuffer *tile = w->rows.tile;
-    const tp_frame_line *line = &w->frame->buffers.lines->line[k];
-    const tp_grid_box *box = row_boxes(w->frame, k);
+    const tp_frame_line *line = &frame->buffers.lines->line[k];
+    const tp_grid_box *box = row_boxes(frame, k);
+    tp_column_range c = { tile->x1, tile->x0 };
 
-    *x0 = tile->x1;
-    *x1 = tile->x0;
     if (is_beside(&line->box, tile->x0, tile->x1) || line->box.y0 >= tile->y1)
-        return;
+        return c;
     for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
          b * TP_GRID_BLOCK < line->cells.end; b++) {
         if (is_beside(&box[b], tile->x0, tile->x1) || box[b].y0 >= tile->y1)
             continue;
-        *x0 = box[b].x0 < *x0 ? box[b].x0 : *x0;
-        *x1 = box[b].x1 >= *x1 ? box[b].x1 + 1 : *x1;
+        c.x0 = box[b].x0 < c.x0 ? box[b].x0 : c.x0;
+        c.x1 = box[b].x1 >= c.x1 ? box[b].x1 + 1 : c.x1;
     }
-    *x0 = *x0 > tile->x0 ? *x0 : tile->x0;
-    *x1 = *x1 < tile->x1 ? *x1 : tile->x1;
+    c.x0 = c.x0 > tile->x0 ? c.x0 : tile->x0;
+    c.x1 = c.x1 < tile->x1 ? c.x1 : tile->x1;
+    return c;
 }
 
-static void draw_triangles(walk *w, uint32_t k)
+void tp_line_draw_triangles(const tp_frame *frame, const tp_gbuffer *tile,
+                            tp_grid_window *window, uint32_t k)
 {
-    const tp_frame_line *line = &w->frame->buffers.lines->line[k];
-    const tp_grid_box *box = row_boxes(w->frame, k);
+    const tp_frame_line *line = &frame->buffers.lines->line[k];
+    const tp_grid_box *box = row_boxes(frame, k);
 
     for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
          b * TP_GRID_BLOCK < line->cells.end; b++) {
         tp_grid_span cells = tp_line_block_cells(line, b);
-        if (cells.first < cells.end && tp_box_overlaps_tile(&box[b], w->rows.tile))
-            draw_cells(w, k, cells.first, cells.end);
+        if (cells.first < cells.end && tp_box_overlaps_tile(&box[b], tile))
+            tp_frame_draw_cells(frame, tile, window, k, cells.first, cells.end);
     }
 }
 
@@ -72,8 +66,7 @@ static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
         tp_rows_restart_line(&w->rows, run, count, how == JOIN);
 }
 
-/* True if segment m of line k has land on both sides. */
-static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
+bool tp_line_is_land(const tp_frame *frame, uint32_t k, uint32_t m)
 {
     return frame->buffers.grid->dry && (k == 0 || tp_line_cell_is_dry(frame, k - 1, m))
            && (k + 1 == frame->buffers.lines->lines || tp_line_cell_is_dry(frame, k, m));
@@ -98,7 +91,7 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
         int32_t from = left;
         left = tp_line_vertex(&w->window, k, m + 1)->u;
         bool out = is_outside_tile(w, from, left);
-        if (!out && land && is_land(frame, k, m)) {
+        if (!out && land && tp_line_is_land(frame, k, m)) {
             tp_rows_mark_gap(&w->rows, from, left);
             out = true;
         }
@@ -115,28 +108,28 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
     lay(w, run, count, how);
 }
 
-static bool is_reached(const walk *w, tp_line_reach reach)
+void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
+                  tp_column_range columns, bool whole)
 {
-    return reach.x0 < w->rows.x1 && reach.x1 >= w->rows.x0;
-}
-
-/* Makes the window hold the walked part of line k, or all of the line. */
-static void see_line(walk *w, uint32_t k, bool whole)
-{
-    const tp_frame_lines *lines = w->frame->buffers.lines;
+    const tp_frame_lines *lines = frame->buffers.lines;
     const tp_line_reach *reach = &lines->reach[(size_t)k * lines->blocks];
-    tp_grid_span points = tp_line_points(w->frame, k);
+    tp_grid_span points = tp_line_points(frame, k);
     uint32_t first = UINT32_MAX, end = 0;
 
     for (uint32_t b = 0; b < lines->blocks; b++) {
         tp_grid_span part = tp_line_block_segments(points, b);
-        if (part.first >= part.end || !(whole || is_reached(w, reach[b])))
+        if (part.first >= part.end || !(whole || tp_line_is_reached(reach[b], columns)))
             continue;
         first = part.first < first ? part.first : first;
         end = part.end + 1u;
     }
     if (first < end)
-        tp_grid_window_load(w->frame->buffers.grid, &w->window, k, first, end);
+        tp_grid_window_load(frame->buffers.grid, window, k, first, end);
+}
+
+static tp_column_range walked_columns(const walk *w)
+{
+    return (tp_column_range){ w->rows.x0, w->rows.x1 };
 }
 
 static void lay_line(walk *w, uint32_t k, int how)
@@ -146,7 +139,7 @@ static void lay_line(walk *w, uint32_t k, int how)
     tp_grid_span points = tp_line_points(w->frame, k);
 
     for (uint32_t b = 0; b < lines->blocks; b++) {
-        if (is_reached(w, reach[b]))
+        if (tp_line_is_reached(reach[b], walked_columns(w)))
             lay_segments(w, k, tp_line_block_segments(points, b), how);
     }
 }
@@ -244,25 +237,35 @@ static void lay_sided(walk *w, uint32_t k)
         lay_one(w, &now[1], &was[1]);
 }
 
+tp_column_range tp_line_next_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k,
+                           tp_column_range *columns)
+{
+    const tp_column_range was = *columns, none = { 0, 0 };
+    const tp_column_range next = k > 0 ? tp_line_columns(frame, tile, k - 1) : none;
+    const bool before = was.x0 < was.x1, behind = next.x0 < next.x1;
+
+    *columns = next;
+    if (!before && !behind)
+        return none;
+    return (tp_column_range){ !before || (behind && next.x0 < was.x0) ? next.x0 : was.x0,
+                         !before || (behind && next.x1 > was.x1) ? next.x1 : was.x1 };
+}
+
 /* Draws line k, the far end of the current row of cells and the near end of the next. */
 static void advance_to_line(walk *w, uint32_t k, int how)
 {
-    int32_t x0 = w->x0, x1 = w->x1, next0 = 0, next1 = 0;
+    const bool before = w->columns.x0 < w->columns.x1;
+    const tp_column_range walked = tp_line_next_columns(w->frame, w->rows.tile, k, &w->columns);
 
-    if (k > 0)
-        find_columns(w, k - 1, &next0, &next1);
-    bool before = x0 < x1, behind = next0 < next1;
-    w->x0 = next0;
-    w->x1 = next1;
-    if (!before && !behind)
+    if (walked.x0 >= walked.x1)
         return;
-    w->rows.x0 = !before || (behind && next0 < x0) ? next0 : x0;
-    w->rows.x1 = !before || (behind && next1 > x1) ? next1 : x1;
+    w->rows.x0 = walked.x0;
+    w->rows.x1 = walked.x1;
     uint32_t is = how == ON && before ? w->frame->buffers.lines->line[k].is : 0;
     bool whole = is & (TP_LINE_SIDED | TP_LINE_WIDE);
     if (whole)
-        see_line(w, k + 1, true);
-    see_line(w, k, whole);
+        tp_line_load(w->frame, &w->window, k + 1, walked, true);
+    tp_line_load(w->frame, &w->window, k, walked, whole);
     if (is & TP_LINE_SIDED) {
         lay_sided(w, k);
         return;
@@ -288,11 +291,11 @@ static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
         if (next->cells.first >= next->cells.end) {
             how = GAP;
         } else if (next->is & TP_LINE_CUT) {
-            draw_triangles(&w, k - 1);
+            tp_line_draw_triangles(frame, tile, &w.window, k - 1);
             w.rows.solid = true;
             how = JOIN;
         } else {
-            how = w.x0 < w.x1 ? ON : GAP;
+            how = w.columns.x0 < w.columns.x1 ? ON : GAP;
         }
     }
 }

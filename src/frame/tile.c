@@ -71,7 +71,7 @@ static int32_t run_length(const uint32_t *key, int32_t limit)
 }
 
 const tp_shaders *tp_frame_begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
-                                     int32_t y, tp_run *run)
+                                     int32_t y, bool alike, tp_run *run)
 {
     TP_ASSERT(x >= tile->x0 && x < tile->x1 && y >= tile->y0 && y < tile->y1);
     int32_t most = TP_RUN - x % TP_RUN;
@@ -86,7 +86,8 @@ const tp_shaders *tp_frame_begin_run(const tp_frame *frame, const tp_gbuffer *ti
     run->lt = run->t;
     run->x = x;
     run->y = y;
-    run->count = run_length(run->key, most < tile->x1 - x ? most : tile->x1 - x);
+    most = most < tile->x1 - x ? most : tile->x1 - x;
+    run->count = alike ? most : run_length(run->key, most);
     TP_ASSERT(run->count > 0 && x / TP_RUN == (x + run->count - 1) / TP_RUN);
     const tp_shaders *list = tp_frame_list(frame, TP_MARK(run->key[0]));
     run->material = TP_MARK(run->key[0]) - list->first;
@@ -100,23 +101,35 @@ static bool begin_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
            && tp_frame_outlining(frame)->colour_row(frame, tile, y, TP_AT_END, run);
 }
 
-void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, tp_run *run)
+void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, bool level,
+                        tp_run *run)
 {
+    uint32_t keys[TP_RUN];
+    const uint32_t *const own = run->key;
+
+    if (level && frame->level_keys && TP_MARK(own[0]) == TP_MARK_WATER) {
+        tp_frame_write_level_keys(frame, run->x, run->y, run->count, keys);
+        run->key = keys;
+    }
     for (const tp_shader *s = list->shader; s->stage; s++) {
         run->mine = s->mine;
         s->stage(&frame->shade, run);
     }
+    run->key = own;
 }
 
-static void shade_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, void *row)
+/* `found`: the rows of a tile drawn alone, or NULL. */
+static void shade_row(const tp_frame *frame, const tp_gbuffer *tile,
+                      const tp_water_rows *found, int32_t y, void *row)
 {
     const tp_store store = frame->program->store[frame->config.format];
+    const bool alike = found && (y < found->sky_end || y >= found->water_begin);
     tp_run run;
     const bool outlined = begin_row(frame, tile, y, &run);
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, &run);
-        tp_frame_shade_run(frame, plan, &run);
+        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, alike, &run);
+        tp_frame_shade_run(frame, plan, !found, &run);
         if (outlined)
             tp_frame_outlining(frame)->blend(tile, &run);
         if (frame->tone_map)
@@ -152,8 +165,8 @@ static void shade_row_with_overlay(const tp_frame *frame, const void *samples, i
     const bool outlined = begin_row(frame, tile, y, &run);
 
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
-        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, &run);
-        tp_frame_shade_run(frame, plan, &run);
+        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, false, &run);
+        tp_frame_shade_run(frame, plan, true, &run);
         if (outlined)
             tp_frame_outlining(frame)->blend(tile, &run);
         memcpy(to + (x - tile->x0), run.colour, (size_t)run.count * sizeof *to);
@@ -177,7 +190,7 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
             to[x++ - tile->x0] = 0;
             continue;
         }
-        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, &run);
+        const tp_shaders *plan = tp_frame_begin_run(frame, tile, x, y, false, &run);
         for (uint32_t i = 0; i < plan->count && plan->order[i] < TP_AT_TONE; i++) {
             run.mine = plan->shader[i].mine;
             plan->shader[i].stage(&frame->shade, &run);
@@ -189,14 +202,19 @@ void tp_frame_colour_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t 
         tp_frame_outlining(frame)->blend_map_row(tile, y, to);
 }
 
-/* Draws all geometry into the tile: solids first, the water after them. */
-static void draw_samples(const tp_frame *frame, tp_gbuffer *samples, void *memory)
+/* Draws all geometry into the tile: solids first, the water after them.  Returns true if
+ * water and sky are alone in it; *found has their rows. */
+static bool draw_samples(const tp_frame *frame, tp_gbuffer *samples, void *memory,
+                         tp_water_rows *found)
 {
     TP_ASSERT(frame->world != NULL);
 
+    if (tp_frame_draw_surface_alone(frame, samples, memory, found))
+        return true;
     tp_gbuffer_clear(samples);
     tp_frame_draw_modules(frame, &frame->view, samples);
     tp_frame_draw_surface(frame, samples, memory);
+    return false;
 }
 
 /* Sets the tile's box.  Returns false if tile i does not exist or `scratch` is unusable. */
@@ -228,9 +246,11 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
                       uint8_t *row)
 {
     tp_gbuffer samples = make_samples(frame, scratch, tile);
-    draw_samples(frame, &samples, scratch_pixels(frame, scratch));
+    tp_water_rows found;
+    const bool alone =
+        draw_samples(frame, &samples, scratch_pixels(frame, scratch), &found);
     if (has_half_lines(frame)) {
-        frame->half_lines->draw(frame, &samples, tile, row);
+        frame->half_lines->draw(frame, &samples, alone ? &found : NULL, tile, row);
         return;
     }
     if (frame->config.overlay.draw) {
@@ -238,7 +258,7 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
         return;
     }
     for (int32_t y = samples.y0; y < samples.y1; y++, row += tile->stride)
-        shade_row(frame, &samples, y, row);
+        shade_row(frame, &samples, alone ? &found : NULL, y, row);
 }
 
 bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile)

@@ -22,7 +22,7 @@ static int rung_or_exact(int32_t named, int last)
 static tp_rungs named_or_exact(const tp_scene *scene)
 {
     return (tp_rungs){
-        (tp_visibility)rung_or_exact(scene->quality.visibility, TP_VISIBILITY_FLAT),
+        (tp_visibility)rung_or_exact(scene->quality.visibility, TP_VISIBILITY_WALK),
         (tp_shading)rung_or_exact(scene->quality.shading, TP_SHADING_QUICK),
         (tp_rate)rung_or_exact(scene->quality.rate, TP_RATE_COLOUR),
     };
@@ -62,7 +62,31 @@ const struct tp_water_renderer *tp_frame_renderer(const tp_program *program,
     return visibility == TP_VISIBILITY_TRIANGLES ? method->triangles
          : visibility == TP_VISIBILITY_ROWS ? method->rows
          : visibility == TP_VISIBILITY_PROJECTED ? method->projected
-         : visibility == TP_VISIBILITY_FLAT ? method->flat : NULL;
+         : visibility == TP_VISIBILITY_FLAT ? method->flat
+         : visibility == TP_VISIBILITY_WALK ? method->walk : NULL;
+}
+
+/* Returns the width of the columns of fast rows and of walked water, log2 of 28.4 px; 0:
+ * other water.  Pairs of columns need a picture of even width. */
+static uint8_t fast_column_bits(const tp_frame *frame)
+{
+    const int32_t rung = frame->scene->quality.rows;
+    const uint8_t pairs = frame->config.width % 2 == 0 ? 5 : 4;
+
+    if (frame->visibility == TP_VISIBILITY_WALK)
+        return pairs;
+    if (frame->visibility != TP_VISIBILITY_ROWS || !frame->buffers.fast_lines
+        || rung < TP_RUNG_FAST)
+        return 0;
+    return rung >= TP_RUNG_PAIRS ? pairs : 4;
+}
+
+/* Returns the renderer of this frame. */
+static const struct tp_water_renderer *chosen_renderer(const tp_frame *frame)
+{
+    return frame->visibility == TP_VISIBILITY_ROWS && frame->column_bits
+               ? frame->program->method.lines
+               : tp_frame_renderer(frame->program, frame->visibility);
 }
 
 /* Chooses the rungs of a frame; the plan is made first if there is none or the scene's
@@ -102,7 +126,8 @@ static void set_grid_view(tp_frame *frame)
 /* True if the renderer has no grid, and so filters no waves. */
 static bool is_level(tp_visibility visibility)
 {
-    return visibility == TP_VISIBILITY_PROJECTED || visibility == TP_VISIBILITY_FLAT;
+    return visibility == TP_VISIBILITY_PROJECTED || visibility == TP_VISIBILITY_FLAT
+        || visibility == TP_VISIBILITY_WALK;
 }
 
 void tp_frame_choose_visibility(tp_frame *frame)
@@ -114,6 +139,9 @@ void tp_frame_choose_visibility(tp_frame *frame)
     frame->visibility = frame->rungs.visibility;
     if (!method || (method->holds && !method->holds(frame)))
         frame->visibility = TP_VISIBILITY_TRIANGLES;
+    frame->column_bits = fast_column_bits(frame);
+    frame->level_keys =
+        frame->column_bits && !tp_frame_has_module(frame, TP_MODULE_MIRROR);
     if (frame->buffers.filtered && is_level(frame->visibility))
         tp_filtered_waves_clear(frame->buffers.filtered);
 }
@@ -121,8 +149,7 @@ void tp_frame_choose_visibility(tp_frame *frame)
 /* Places the surface.  Without a valid renderer no water is drawn. */
 void tp_frame_place_surface(tp_frame *frame)
 {
-    const struct tp_water_renderer *method =
-        tp_frame_renderer(frame->program, frame->visibility);
+    const struct tp_water_renderer *method = chosen_renderer(frame);
 
     const struct tp_draw_fast_triangles *fast = frame->program->draw.fast_triangles;
 
@@ -135,9 +162,19 @@ void tp_frame_place_surface(tp_frame *frame)
 
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
-    const struct tp_water_renderer *method =
-        tp_frame_renderer(frame->program, frame->visibility);
+    const struct tp_water_renderer *method = chosen_renderer(frame);
 
     if (method)
         method->draw(frame, tile, memory);
+}
+
+bool tp_frame_draw_surface_alone(const tp_frame *frame, const tp_gbuffer *tile,
+                                 void *memory, tp_water_rows *found)
+{
+    const struct tp_water_renderer *method = chosen_renderer(frame);
+
+    return method && method->draw_alone && frame->level_keys && !frame->config.depth
+           && !frame->config.overlay.draw
+           && !(tp_frame_has_solids(frame) && tp_box_overlaps_tile(&frame->solids, tile))
+           && method->draw_alone(frame, tile, memory, found);
 }

@@ -201,6 +201,8 @@ static choice find_cheapest(const plan_conditions *g)
 /* Returns the named rung, or -1. A number out of range counts as open. */
 static int8_t named_rung(int32_t rung, int kind)
 {
+    if (kind == TP_KIND_VISIBILITY && rung == TP_VISIBILITY_WALK)
+        return TP_VISIBILITY_TRIANGLES - 1;
     return rung > 0 && rung <= counts[kind] ? (int8_t)(rung - 1) : -1;
 }
 
@@ -239,10 +241,19 @@ bool tp_plan_culls_waves(const tp_plan_input *in)
     return g.faint.any && !g.estimate.coastal;
 }
 
+/* Walked water has no price yet: it is drawn if the scene names it, and planned with the
+ * price of triangles, which draw it where it does not fit. */
+static tp_rungs with_walk_if_named(tp_rungs rungs, const tp_scene *scene)
+{
+    if (scene->quality.visibility == TP_VISIBILITY_WALK)
+        rungs.visibility = TP_VISIBILITY_WALK;
+    return rungs;
+}
+
 tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in)
 {
     const plan_conditions g = make_plan_conditions(prices, in);
-    return make_rungs(find_cheapest(&g));
+    return with_walk_if_named(make_rungs(find_cheapest(&g)), in->scene);
 }
 
 /* -- reports ------------------------------------------------------------------------- */
@@ -369,9 +380,9 @@ tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in
     choice c = find_cheapest(&g);
     tp_ladder ladder = { .count = 0 };
 
-    ladder.rung[ladder.count++] = make_rungs(c);
+    ladder.rung[ladder.count++] = with_walk_if_named(make_rungs(c), in->scene);
     while (in->scene->quality.frame_ms > 0 && ladder.count < TP_LADDER
            && lower_choice(&g, &c))
-        ladder.rung[ladder.count++] = make_rungs(c);
+        ladder.rung[ladder.count++] = with_walk_if_named(make_rungs(c), in->scene);
     return ladder;
 }

@@ -85,6 +85,7 @@ static void any_scene_is_drawn_the_same(void **state)
             scene.quality.visibility = chance_int(&chance, TP_VISIBILITY_TRIANGLES,
                                                   TP_VISIBILITY_ROWS);
         }
+        scene.quality.rows = chance_int(&chance, TP_RUNG_AUTO, TP_RUNG_PAIRS);
         tp_world *world = scene_world(&scene, &assets);
         if (world)
             compare(&scene, &assets, world, &count);
@@ -112,6 +113,7 @@ static void rows_are_drawn_the_same(void **state)
         scene.camera.pitch = chance_fx(&chance, -20, 0);
         scene.grid.vertices = chance_int(&chance, 64, 4000);
         scene.quality.visibility = TP_VISIBILITY_ROWS;
+        scene.quality.rows = chance_int(&chance, TP_RUNG_AUTO, TP_RUNG_PAIRS);
         tp_world *world = scene_world(&scene, &none);
         compare(&scene, &none, world, &count);
         free(world);

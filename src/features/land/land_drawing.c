@@ -146,10 +146,11 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     tp_fx deepest = tp_surface_height_bound(&frame->surface) + TP_FX_ONE;
     land *l = mine;
 
-    (void)box;
     l->seen = view->picture && grid && frame->surface.coastal;
-    if (l->seen)
+    if (l->seen) {
         set_swash(frame, &l->look);
+        *box = TP_BOX_ALL;
+    }
     for (uint32_t j = 0; l->seen && j < grid->rows; j++) {
         for (uint32_t i = 0; i < grid->cols; i++)
             place_corner(frame, l, i, j, deepest);

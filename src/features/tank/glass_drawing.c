@@ -74,9 +74,10 @@ static void place_side_posts(tp_frame *frame, void *mine, tp_view *view, tp_grid
     const tp_rectangle r = tp_pool_sides(frame->scene);
     tp_glass *glass = mine;
 
-    (void)box;
-    for (uint32_t k = 0; view->picture && k < glass->walls; k++)
+    for (uint32_t k = 0; view->picture && k < glass->walls; k++) {
         place_posts(frame, &glass->wall[k], &r);
+        *box = TP_BOX_ALL;
+    }
 }
 
 static const int16_t no_normal[3] = { 0, 0, 0 };    /* the stage knows the wall's normal */

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT */
+/* Walked water: the same picture in every tiling, with depths and without; its error; the
+ * views that it leaves to triangles. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include "frame/frame.h"
+#include "tests/lib/frames.h"
+#include "tests/lib/scenes.h"
+
+enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT };
+
+static uint64_t chance;
+static const tp_assets none = { .boat = NULL };
+
+static tp_scene level_scene(void)
+{
+    tp_scene s = scene_plain();
+
+    s.quality.visibility = TP_VISIBILITY_WALK;
+    s.camera.y = chance_fx(&chance, 3, 9);
+    s.camera.heading = chance_fx(&chance, -180, 180);
+    s.camera.pitch = chance_fx(&chance, -25, 5);
+    return s;
+}
+
+static tp_config config_of(uint32_t tile_width, uint32_t tile_height, bool depth)
+{
+    return (tp_config){ .width = WIDTH, .height = HEIGHT, .tile_width = tile_width,
+                        .tile_height = tile_height, .format = TP_FORMAT_XRGB8888,
+                        .depth = depth };
+}
+
+/* Draws the scene and returns the renderer. */
+static tp_visibility draw(const tp_scene *scene, tp_config config, uint32_t *pixels)
+{
+    tp_world *world = scene_world(scene, &none);
+    test_frame f = frame_of(scene, &none, &config);
+
+    frame_draw_picture(&f, world, pixels);
+    const tp_visibility by = f.frame->visibility;
+    frame_free(&f);
+    free(world);
+    return by;
+}
+
+static void every_tiling_gives_the_same_bits(void **state)
+{
+    (void)state;
+    static uint32_t whole[PIXELS], other[PIXELS];
+    static const uint32_t sizes[][2] = { { 0, 1 }, { 16, 0 }, { 48, 13 }, { 0, 16 } };
+    int walked = 0;
+
+    for (int n = 0; n < 40; n++) {
+        const tp_scene scene = level_scene();
+        walked += draw(&scene, config_of(0, HEIGHT, false), whole) == TP_VISIBILITY_WALK;
+        draw(&scene, config_of(0, HEIGHT, true), other);
+        assert_memory_equal(other, whole, sizeof whole);
+        draw(&scene, config_of(sizes[n % 4][0], sizes[n % 4][1], n % 5 == 0), other);
+        assert_memory_equal(other, whole, sizeof whole);
+    }
+    printf("  %d of 40 pictures walked\n", walked);
+    assert_true(walked > 20);
+}
+
+/* Sums the squares of the differences of all channels. */
+static double squares(const uint32_t *a, const uint32_t *b)
+{
+    double sum = 0;
+
+    for (int i = 0; i < PIXELS; i++)
+        for (int k = 0; k < 24; k += 8)
+            sum += pow((double)(a[i] >> k & 255) - (double)(b[i] >> k & 255), 2);
+    return sum;
+}
+
+static void walked_water_is_near_triangles(void **state)
+{
+    (void)state;
+    static uint32_t walked[PIXELS], exact[PIXELS];
+    double sum = 0;
+    int count = 0;
+
+    for (int n = 0; n < 40; n++) {
+        tp_scene scene = level_scene();
+        scene.grid.vertices = 2000;
+        if (draw(&scene, config_of(0, 16, false), walked) != TP_VISIBILITY_WALK)
+            continue;
+        scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
+        draw(&scene, config_of(0, 16, false), exact);
+        sum += squares(walked, exact);
+        count++;
+    }
+    const double db = 10 * log10(65025.0 * 3 * PIXELS * count / sum);
+    printf("  %.2f dB against triangles in %d views\n", db, count);
+    assert_true(count > 20 && db > 22);
+}
+
+/* Swells near the eye, a roll, pools and rings are not walked; neither is a sea without
+ * memory for it. */
+static void other_views_are_left_to_triangles(void **state)
+{
+    (void)state;
+    static uint32_t pixels[PIXELS];
+    tp_scene scene = level_scene();
+
+    scene.camera.pitch = -6 * TP_FX_ONE;
+    scene.camera.y = 6 * TP_FX_ONE;
+    assert_int_equal(draw(&scene, config_of(0, 16, false), pixels), TP_VISIBILITY_WALK);
+    tp_scene low = scene;
+    low.camera.y = low.wave[0].amplitude / 2;
+    assert_int_equal(draw(&low, config_of(0, 16, false), pixels), TP_VISIBILITY_TRIANGLES);
+    tp_scene pool = scene;
+    pool.pool.cols = pool.pool.rows = 32;
+    assert_int_equal(draw(&pool, config_of(0, 16, false), pixels), TP_VISIBILITY_TRIANGLES);
+    tp_scene steep = scene;
+    steep.camera.pitch = -80 * TP_FX_ONE;
+    assert_int_equal(draw(&steep, config_of(0, 16, false), pixels), TP_VISIBILITY_TRIANGLES);
+}
+
+static void a_view_of_the_sky_alone_has_no_water(void **state)
+{
+    (void)state;
+    static uint32_t pixels[PIXELS], triangles[PIXELS];
+    tp_scene scene = level_scene();
+
+    scene.camera.pitch = 50 * TP_FX_ONE;
+    draw(&scene, config_of(0, 16, false), pixels);
+    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    draw(&scene, config_of(0, 16, false), triangles);
+    assert_memory_equal(pixels, triangles, sizeof pixels);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_tiling_gives_the_same_bits),
+        cmocka_unit_test(walked_water_is_near_triangles),
+        cmocka_unit_test(other_views_are_left_to_triangles),
+        cmocka_unit_test(a_view_of_the_sky_alone_has_no_water),
+    };
+    chance = random_seed();
+    return cmocka_run_group_tests_name("frame/walk", tests, NULL, NULL);
+}
