@@ -93,13 +93,13 @@ static ramp make_ramp(const tp_shade_foam *f, const tp_foam_lace *l)
 }
 
 /* Returns the rank of the nearest texel, 0..255. */
-TP_ALWAYS_INLINE int32_t nearest_rank(const ramp *r, const uint8_t *rank, uint32_t s,
+TP_ALWAYS_INLINE int32_t nearest_rank(const ramp *r, const tp_entry8 *rank, uint32_t s,
                                       uint32_t t)
 {
     const uint32_t u = (s * r->repeats + r->drift_s) >> 8 >> r->down_s,
                    v = (t * r->repeats + r->drift_t) >> 8 >> r->down_t;
 
-    return rank[r->texel[(v << r->log2_w) + u] >> 8 & 0xff];
+    return (int32_t)rank[r->texel[(v << r->log2_w) + u] >> 8 & 0xff];
 }
 
 /* Returns the opacity 0..256: white by the ramp, at most 15/4 of the cover, over bubbles. */

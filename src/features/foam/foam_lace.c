@@ -14,7 +14,7 @@ void tp_shade_foam_make_ranks(tp_shade_foam *foam, const tp_texture *texture)
         foam->rank[v] = (uint8_t)(((below + count[v] / 2) * 255 + total / 2) / total);
         below += count[v];
     }
-    foam->mean = foam->rank[texture->level[texture->levels - 1][0] >> 8 & 0xff];
+    foam->mean = (int16_t)foam->rank[texture->level[texture->levels - 1][0] >> 8 & 0xff];
 }
 
 /* Softness by mipmap level; the last entry serves all smaller levels. */
@@ -61,16 +61,7 @@ void tp_foam_lace_select(const tp_shade *shade, const tp_shade_foam *f, uint32_t
     l->middle = level_middle(f, n);
 }
 
-static uint32_t green(uint32_t texel)
-{
-    return texel >> 8 & 0xff;
-}
-
 uint32_t tp_foam_sample_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t)
 {
-    tp_four  f = tp_four_gather_centred(level, s, t);
-    uint32_t over = green(f.texel[0]) * (256 - f.fs) + green(f.texel[1]) * f.fs;
-    uint32_t under = green(f.texel[2]) * (256 - f.fs) + green(f.texel[3]) * f.fs;
-
-    return (over * (256 - f.ft) + under * f.ft + 0x8000) >> 16;
+    return tp_foam_mix_bubbles(level, s, t);
 }

@@ -24,21 +24,43 @@ typedef struct {
 void tp_foam_lace_select(const tp_shade *shade, const tp_shade_foam *f, uint32_t key,
                          tp_foam_lace *l);
 
-/* Returns the bilinear green of four texels; s, t in repeats, Q0.32. */
+TP_ALWAYS_INLINE uint32_t tp_foam_green(uint32_t texel)
+{
+    return texel >> 8 & 0xff;
+}
+
+/* Return the bilinear green of four texels; s, t in repeats, Q0.32; inline in wide loops. */
+TP_ALWAYS_INLINE uint32_t tp_foam_mix_bubbles(const tp_mip_level *level, uint32_t s,
+                                              uint32_t t)
+{
+    tp_four  f = tp_four_gather_centred(level, s, t);
+    uint32_t over = tp_foam_green(f.texel[0]) * (256 - f.fs)
+                  + tp_foam_green(f.texel[1]) * f.fs;
+    uint32_t under = tp_foam_green(f.texel[2]) * (256 - f.fs)
+                   + tp_foam_green(f.texel[3]) * f.fs;
+
+    return (over * (256 - f.ft) + under * f.ft + 0x8000) >> 16;
+}
 uint32_t tp_foam_sample_bubbles(const tp_mip_level *level, uint32_t s, uint32_t t);
 
-/* Returns the cover after the large scale: more or less by the rank there, by at most 4/5
+/* Returns the cover, more or less by the difference of a rank to the mean's, by at most 4/5
  * of cover (1 - cover). */
+TP_ALWAYS_INLINE uint32_t tp_foam_spread_cover(uint32_t cover, int32_t above)
+{
+    const int32_t spread = (int32_t)(cover * (255 - cover) >> 6);
+    return (uint32_t)((int32_t)cover + above * spread * 103 / 65536);
+}
+
+/* Returns the cover after the large scale. */
 static inline uint32_t tp_foam_patch_cover(const tp_shade_foam *f, const tp_foam_lace *l,
                                            uint32_t cover, uint32_t s, uint32_t t)
 {
     if (!l->wide.texel)
         return cover;
-    const int32_t rank =
-        f->rank[tp_foam_sample_bubbles(&l->wide, s * f->wide_repeats + f->wide_drift_s,
-                                       t * f->wide_repeats + f->wide_drift_t)];
-    const int32_t spread = (int32_t)(cover * (255 - cover) >> 6);
-    return (uint32_t)((int32_t)cover + (rank - l->wide_middle) * spread * 103 / 65536);
+    const int32_t rank = (int32_t)f->rank[tp_foam_sample_bubbles(
+        &l->wide, s * f->wide_repeats + f->wide_drift_s,
+        t * f->wide_repeats + f->wide_drift_t)];
+    return tp_foam_spread_cover(cover, rank - l->wide_middle);
 }
 
 /* Returns the whiteness 0..256 of a place with this cover, by the rank of its texel.  The

@@ -118,7 +118,7 @@ TP_ALWAYS_INLINE uint32_t laced_opacity(const tp_shade_foam *f, const tp_foam_la
 
     cover = tp_foam_patch_cover(f, l, cover, s, t);
     if (l->level.texel)
-        rank = f->rank[tp_foam_sample_bubbles(&l->level, s * f->repeats + f->drift_s,
+        rank = (int32_t)f->rank[tp_foam_sample_bubbles(&l->level, s * f->repeats + f->drift_s,
                                               t * f->repeats + f->drift_t)];
     return tp_foam_lace_opacity(tp_foam_whiteness(l, rank, cover), cover);
 }
@@ -169,6 +169,8 @@ TP_ALWAYS_INLINE uint32_t sample_opacity(const tp_shade *shade, const tp_run *ru
     return laced_opacity(f, &b->lace, cover, run->s[i], run->t[i]);
 }
 
+#include "features/foam/foam_wide.h"
+
 TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int slopes, int has_glint)
 {
     const tp_shade_foam *f = run->mine;
@@ -180,6 +182,10 @@ TP_ALWAYS_INLINE void foam_run(const tp_shade *shade, tp_run *run, int slopes, i
         block b = { .kind = tp_foam_block_classify(f, run, i, stop) };
         if (b.kind == TP_FOAM_BLOCK_EMPTY)      /* the case of most water */
             i = stop;
+        if (TP_WIDE && i < stop) {
+            foam_columns_wide(shade, run, i, stop - i, slopes, has_glint);
+            i = stop;
+        }
         for (; i < stop; i++) {
             const uint32_t share = sample_opacity(shade, run, i, first, &b);
             if (share == 0)

@@ -98,7 +98,7 @@ TP_ALWAYS_INLINE void mix_far_cover(const tp_shade_foam *f, const tp_run *run, i
 
 /* Fills the ranks of the bubbles at both scales; `patched` is the cover after the large
  * scale. */
-TP_ALWAYS_INLINE void rank_bubbles(const tp_shade_foam *f, const lace *l,
+TP_ALWAYS_INLINE void rank_bubbles(const tp_shade_foam *f, const tp_foam_lace *l,
                                    const uint32_t *restrict s, const uint32_t *restrict t,
                                    int32_t count, const tp_entry8 *restrict ranks,
                                    const uint32_t *restrict cover,
@@ -108,15 +108,15 @@ TP_ALWAYS_INLINE void rank_bubbles(const tp_shade_foam *f, const lace *l,
         for (int32_t k = 0; k < count; k++) {
             const uint32_t ds = s[k] * f->wide_repeats + f->wide_drift_s;
             const uint32_t dt = t[k] * f->wide_repeats + f->wide_drift_t;
-            const int32_t rank_there = (int32_t)ranks[mix_bubbles(&l->wide, ds, dt)];
-            patched[k] = spread_cover(cover[k], rank_there - l->wide_middle);
+            const int32_t rank_there = (int32_t)ranks[tp_foam_mix_bubbles(&l->wide, ds, dt)];
+            patched[k] = tp_foam_spread_cover(cover[k], rank_there - l->wide_middle);
         }
     else
         for (int32_t k = 0; k < count; k++)
             patched[k] = cover[k];
     if (l->level.texel)
         for (int32_t k = 0; k < count; k++)
-            rank[k] = (int32_t)ranks[mix_bubbles(&l->level, s[k] * f->repeats + f->drift_s,
+            rank[k] = (int32_t)ranks[tp_foam_mix_bubbles(&l->level, s[k] * f->repeats + f->drift_s,
                                                  t[k] * f->repeats + f->drift_t)];
     else
         for (int32_t k = 0; k < count; k++)
@@ -124,16 +124,16 @@ TP_ALWAYS_INLINE void rank_bubbles(const tp_shade_foam *f, const lace *l,
 }
 
 /* Fills the shares of white. */
-TP_ALWAYS_INLINE void lace_covers(const lace *l, int32_t count, const window_cells *w,
+TP_ALWAYS_INLINE void lace_covers(const tp_foam_lace *l, int32_t count, const window_cells *w,
                                   const uint32_t *restrict cover,
                                   const uint32_t *restrict patched,
                                   const int32_t *restrict rank, uint32_t *restrict share)
 {
     for (int32_t k = 0; k < count; k++) {
-        const uint32_t faint = (cover[k] * FAINT_SHARE + 128) >> 8;
-        const uint32_t white = rank_whiteness(l, patched[k], rank[k]);
-        const uint32_t laced = cover[k] > 0 ? lace_opacity(white, patched[k]) : 0;
-        const bool is_faint = (w->weight[k] < 256) & (cover[k] < FAINT);
+        const uint32_t faint = (cover[k] * TP_FOAM_MEAN_SHARE + 128) >> 8;
+        const uint32_t white = tp_foam_whiteness(l, rank[k], patched[k]);
+        const uint32_t laced = cover[k] > 0 ? tp_foam_lace_opacity(white, patched[k]) : 0;
+        const bool is_faint = (w->weight[k] < 256) & (cover[k] < TP_FOAM_FAINT);
         share[k] = is_faint ? faint : laced;
     }
 }
@@ -141,11 +141,11 @@ TP_ALWAYS_INLINE void lace_covers(const lace *l, int32_t count, const window_cel
 TP_ALWAYS_INLINE void mix_foam(const tp_shade *shade, const tp_run *run, int32_t i,
                                int32_t count, uint32_t white,
                                const uint32_t *restrict share, uint32_t *restrict colour,
-                               uint16_t *restrict glint, int rippled, int has_glint)
+                               uint16_t *restrict glint, int slopes, int has_glint)
 {
     for (int32_t k = 0; k < count; k++) {
         const uint32_t lit =
-            tp_colour_scale(white, foam_light_share(shade, run, i + k, rippled));
+            tp_colour_scale(white, slope_light(shade, run, i + k, slopes));
         colour[k] = tp_colour_mix(colour[k], lit, share[k]);
         if (has_glint)
             glint[k] = (uint16_t)(glint[k] * (256 - share[k]) >> 8);
@@ -154,7 +154,7 @@ TP_ALWAYS_INLINE void mix_foam(const tp_shade *shade, const tp_run *run, int32_t
 
 /* Shades `count` columns from column i on, at most 16. */
 TP_ALWAYS_INLINE void foam_columns_wide(const tp_shade *shade, tp_run *run, int32_t i,
-                                        int32_t count, int rippled, int has_glint)
+                                        int32_t count, int slopes, int has_glint)
 {
     const tp_shade_foam *f = run->mine;
     const uint32_t *s = run->s + i, *t = run->t + i;
@@ -168,7 +168,7 @@ TP_ALWAYS_INLINE void foam_columns_wide(const tp_shade *shade, tp_run *run, int3
     for (int32_t k = 0; k < count; k++)
         all &= w.weight[k];
     if (all != 256) {
-        const uint32_t v = filtered_variance(shade, f, run->key[i]);
+        const uint32_t v = tp_foam_filtered_variance(shade, f, run->key[i]);
         if (f->far_fresh)
             mix_open_cover(f, run, i, count, v, &w, cover);
         else
@@ -178,11 +178,11 @@ TP_ALWAYS_INLINE void foam_columns_wide(const tp_shade *shade, tp_run *run, int3
         any |= cover[k];
     if (any == 0)
         return;
-    lace l;
-    select_bubble_levels(shade, f, run->key[i], &l);
+    tp_foam_lace l;
+    tp_foam_lace_select(shade, f, run->key[i], &l);
     rank_bubbles(f, &l, s, t, count, f->rank, cover, patched, rank);
     lace_covers(&l, count, &w, cover, patched, rank, share);
     mix_foam(shade, run, i, count, f->colour, share, run->colour + i, run->glint + i,
-             rippled, has_glint);
+             slopes, has_glint);
 }
 #endif
