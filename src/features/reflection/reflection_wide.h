@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Where 16 columns sample the planar map, for vectorizing compilers, with the bits of
+ * Finds where 16 columns sample the planar map, for vectorizing compilers, with the bits of
  * reflection_stage.c's loop: a part of that file.  One loop finds the places of all columns;
  * the few that meet the map are sampled one after another.  Vector units have products of 64
  * bits, but neither clamps nor signed shifts of them: products are cut to words, which hold
