@@ -109,13 +109,14 @@ static void make_mirror(const tp_shade *shade, const tp_run *run)
     for (int i = 0; i < MAP * MAP; i++)
         map[i] = chance_int(&chance, 0, 3) ? any_word() : 0;
     for (int i = 0; i < MAP; i++) {
-        column[i].near = zi / 8 * 7 + random_below(&chance, zi / 3 + 1);
+        const uint32_t near = zi / 8 * 7 + random_below(&chance, zi / 3 + 1);
+        column[i].near = near < INT32_MAX ? near : INT32_MAX;
         column[i].far = column[i].near - random_below(&chance, zi / 4 + 1);
     }
     data.mirror = (tp_mirror){
         { map, x0, y0, x0 + MAP, y0 + MAP, coarser }, chance_int(&chance, 0, 1024),
         chance_int(&chance, 0, 9) ? eye_height(shade, run, zi)
-                                  : (int64_t)chance_int(&chance, -9, 9) << 30,
+                                  : chance_int(&chance, -4, 4) * ((int64_t)1 << 30),
         column,
     };
 }
