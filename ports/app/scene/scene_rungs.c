@@ -47,7 +47,7 @@ void scene_file_set_rung(scene_file *file, const char *name)
     file->scene.quality.rate = kinds[n][2];
 #define X(effect, words, last, help) \
     name_row(file, "quality." #effect); \
-    file->scene.quality.effect = n == EXACT ? TP_RUNG_EXACT : n == FAST ? (last) : 0;
+    file->scene.quality.effect = n == EXACT ? TP_RUNG_EXACT : n == FAST ? TP_RUNG_FAST : 0;
     TP_EFFECT_LIST(X)
 #undef X
     if (n == FAST)              /* the low mesh is for boats far away */
