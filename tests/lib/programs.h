@@ -15,7 +15,7 @@ static inline void thin_out(void *pointers, size_t bytes, uint32_t in, uint64_t 
             p[i] = NULL;
 }
 
-enum { THIN_MODULES = 48, THIN_STAGES = 32 };
+enum { THIN_MODULES = 48, THIN_STAGES = 64 };
 
 /* Number of stages of each module, in the order of the module list. */
 static const uint8_t thin_stages[] = {

@@ -263,7 +263,7 @@ static void a_sky_that_a_program_lacks_is_the_gradient_and_is_told(void **state)
 
 /* The use's table has no mirror stage: */
 static const tp_use unmirrored =
-    TP_USE_WITH(sky_dome, tp_stage_sky_dome, tp_stage_sky_dome_hdr, NULL, NULL);
+    TP_USE_WITH(sky_dome, tp_stage_sky_dome, tp_stage_sky_dome_hdr, NULL, NULL, NULL);
 
 /* the water is drawn without the Fresnel share. */
 static void a_mirror_stage_that_a_program_lacks_is_left_out_and_is_told(void **state)
