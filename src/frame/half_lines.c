@@ -142,8 +142,8 @@ static void store_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
         frame->program->store[frame->config.format](to, 0, tile->x0, y, colours, count);
 }
 
-static void draw_rows(const tp_frame *frame, const tp_gbuffer *samples,
-                      const tp_water_rows *found, const tp_tile *tile, uint8_t *row)
+static void draw_half_rows(const tp_frame *frame, const tp_gbuffer *samples,
+                           const tp_water_rows *found, const tp_tile *tile, uint8_t *row)
 {
     const int32_t y0 = (int32_t)tile->y0, y1 = (int32_t)tile->y1;
 
@@ -157,4 +157,4 @@ static void draw_rows(const tp_frame *frame, const tp_gbuffer *samples,
         store_row(frame, samples, y, row);
 }
 
-const struct tp_draw_half_lines tp_draw_half_lines = { extra_rows, bounds, draw_rows };
+const struct tp_draw_half_lines tp_draw_half_lines = { extra_rows, bounds, draw_half_rows };

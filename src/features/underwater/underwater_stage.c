@@ -71,14 +71,16 @@ void tp_stage_deep(const tp_shade *shade, tp_run *run)
     }
 }
 
+enum { ABSORBED = 4 };          /* rays at a time: more take stack for little */
+
 void tp_stage_absorb(const tp_shade *shade, tp_run *run)
 {
     const tp_underwater *in = shade->underwater;
-    tp_refracted_ray ray[TP_UNDERWATER_ROW];
+    tp_refracted_ray ray[ABSORBED];
 
     tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0, stop; i < run->count; i = stop) {
-        stop = tp_block_end(run, i);
+        stop = i + ABSORBED < run->count ? i + ABSORBED : run->count;
         tp_underwater_set_start_points(shade, run, i, stop, ray);
         for (int32_t k = i; k < stop; k++)
             run->colour[k] = tp_absorb_apply(
@@ -191,14 +193,13 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
                                         int dispersed)
 {
     const tp_clear_water *clear = run->mine;
-    uint32_t body[TP_UNDERWATER_ROW];
     tp_refracted_ray  ray[TP_UNDERWATER_ROW];
     facet    surface[TP_UNDERWATER_ROW];
     tp_floor_plane   ends[2];
 
     for (int32_t i = 0; i < run->count; ) {
         int32_t   stop = tp_block_end(run, i), count = stop - i;
-        uint32_t *seen = run->colour + i;
+        uint32_t *seen = run->colour + i, *body = run->mirror + i; /* not reflected yet */
         for (int32_t k = 0; k < count; k++)
             body[k] = tp_colour_mix(shade->underwater->deep, seen[k], 64);
         tp_underwater_set_start_points(shade, run, i, stop, ray);
