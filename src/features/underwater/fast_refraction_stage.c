@@ -102,6 +102,15 @@ TP_ALWAYS_INLINE tp_fx along_view(tp_fx eye, int32_t way, tp_fx depth)
     return (tp_fx)((uint32_t)eye + (uint32_t)((int64_t)way * depth >> 16));
 }
 
+#define FAR_WATER (2048 * TP_FX_ONE)    /* m; heights of nearer water are off by 2 cm */
+
+/* Returns the height of the water, m; far water counts as level: there the view's rounding
+ * would lift the water off a shallow floor, or sink it below. */
+TP_ALWAYS_INLINE tp_fx height_of_water(tp_fx eye, int32_t way, tp_fx depth)
+{
+    return depth < FAR_WATER ? along_view(eye, way, depth) : 0;
+}
+
 /* Returns a component of the unit vector along a view direction, Q1.14.  The root of a view
  * beyond four focal lengths is that of four. */
 TP_ALWAYS_INLINE int32_t unit_component(int32_t way, int32_t unit)
@@ -131,7 +140,7 @@ TP_ALWAYS_INLINE level_view refract_at_level_water(const tp_shade *shade,
         tp_fx_saturate(tp_depth_from_zi(in->zi_near, tp_key_zi(run->key[i])));
 
     return (level_view){
-        .ray = { { along_view(shade->eye.x, x, far), along_view(shade->eye.y, y, far),
+        .ray = { { along_view(shade->eye.x, x, far), height_of_water(shade->eye.y, y, far),
                    along_view(shade->eye.z, z, far) },
                  { eta * to_x >> 14, -ct, eta * to_z >> 14, 0 }, far },
         .in = { to_x, to_y, to_z, 0 },
@@ -179,6 +188,16 @@ static tp_refracted_ray middle_ray(const tp_refracted_ray *a, const tp_refracted
     };
 }
 
+#define WIDE_BLOCK (16 * TP_FX_ONE)     /* m */
+
+/* True if the ends lie so far apart that a plane through one place of the floor would leave
+ * the floor at the other end. */
+static bool is_wide(const tp_refracted_ray *a, const tp_refracted_ray *b)
+{
+    return tp_abs(mean(a->at.x, -b->at.x)) > WIDE_BLOCK / 2
+        || tp_abs(mean(a->at.z, -b->at.z)) > WIDE_BLOCK / 2;
+}
+
 /* Finds the floor near the point that the ray between a and b hits.  Returns NULL if the
  * water there is too deep for a floor to be seen. */
 static const tp_floor_plane *find_block_floor(const tp_shade *shade, tp_fx opaque,
@@ -192,6 +211,10 @@ static const tp_floor_plane *find_block_floor(const tp_shade *shade, tp_fx opaqu
     if ((int64_t)floor->depth + middle.at.y > opaque)
         return NULL;
     *floor = tp_underwater_find_floor_plane(shade, &middle);
+    if (is_wide(a, b)) {
+        floor->depth = tp_floor_plane_depth(floor, middle.at);
+        floor->rise_x = floor->rise_z = 0;
+    }
     return floor;
 }
 
