@@ -6,7 +6,8 @@
 #
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #
-# For named scenes the functions are listed too. SCENE+cheap is the scene at the rungs of
+# Without names every scene is counted, in turn exact or at its cheapest rungs; --write and
+# TP_SOAK=1 count both of each. For named scenes the functions are listed too. SCENE+cheap is the scene at the rungs of
 # tests/budgets/cheapest.txt. --write writes a new scenes.csv.
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
@@ -17,8 +18,19 @@ skip=
 [ "${1:-}" = --write ] && write=1 && shift
 case ${1:-} in */tidepool) shift ;; esac        # tests/run.sh passes the program
 program=${TP_PROGRAM:-build/host/tidepool}
-whole=
-[ $# = 0 ] && whole=1 && set -- $(build -s list-scenes)
+whole= table=
+if [ $# = 0 ]; then
+    table=1
+    set -- $(build -s list-scenes)
+    if [ -n "$write$TP_SOAK" ]; then    # each scene exact and at its cheapest rungs
+        whole=1
+        set -- $(for scene; do echo "$scene" "$scene+cheap"; done) \
+            plain-64 plain-64+cheap plain-100 plain-100+cheap
+    else                                # quicker: in turn exact or at its cheapest
+        set -- $(for scene; do echo "$scene${cheap:-}"; case ${cheap:-} in
+                '') cheap=+cheap ;; *) cheap= ;; esac; done) plain-64+cheap plain-100
+    fi
+fi
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "scenes on a Cortex-M4" && exit 77
 lacks qemu-system-arm qemu-system-arm "scenes on a Cortex-M4" && exit 77
@@ -57,7 +69,7 @@ one()           # SCENE: its figures, or the reason why there are none
     awk -v scene="$1" -f tests/lib/symbol_at.awk \
         -f tests/budgets/stages.awk "$to.symbols" "$to.said" "$to.counts" |
         LC_ALL=C sort >"$to.figures"
-    [ -n "$whole" ] || awk -v scene="$1" -v functions=1 \
+    [ -n "$table" ] || awk -v scene="$1" -v functions=1 \
         -f tests/lib/symbol_at.awk -f tests/budgets/stages.awk \
         "$to.symbols" "$to.said" "$to.counts" >"$to.functions"
 }
@@ -81,7 +93,7 @@ for scene; do
     [ -s "$scratch/$scene.figures" ] || { cat "$scratch/$scene.log"; continue; }
     cat "$scratch/$scene.figures" >>"$scratch/figures"
 done
-if [ -n "$whole" ]; then
+if [ -n "$table" ]; then
     arm-none-eabi-size -A build/cortex-m4/libtidepool.a | awk '
         /^\.text/   { text += $2 }
         /^\.rodata/ { constants += $2 }
@@ -91,7 +103,7 @@ if [ -n "$whole" ]; then
 fi
 [ "$failed" = 0 ] || exit 1
 grep -v '^figure core' "$scratch/figures" | awk -f tests/budgets/scenes.awk $budgets -
-[ -z "$whole" ] || awk '{ printf "%s%s %s %d", (NR > 1 ? ", " : ""), $2, $3, $4 }
+[ -z "$table" ] || awk '{ printf "%s%s %s %d", (NR > 1 ? ", " : ""), $2, $3, $4 }
                         END { print "" }' "$scratch/core"
 if [ -n "$write" ]; then
     rewrite $budgets m4=arm-none-eabi-gcc
