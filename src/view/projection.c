@@ -200,6 +200,26 @@ static int clip_side(const sides *of, const tp_view_vertex *in, int count,
     return kept;
 }
 
+/* True if a vertex lies within the near plane and the guard band: |x|, |y| <= band. */
+static bool is_within_view(const tp_projection *projection, const tp_view_vertex *c)
+{
+    const int64_t band = ((int64_t)c->depth - 4) * (1 << (TP_GUARD_LOG2 - projection->m)) - 4;
+
+    return c->depth >= projection->near && c->x <= band && c->x >= -band && c->y <= band
+           && c->y >= -band;
+}
+
+/* True if no side cuts a triangle. */
+static bool is_whole(const tp_projection *projection, const tp_view_plane *plane,
+                     const tp_view_vertex in[3])
+{
+    for (int i = 0; i < 3; i++)
+        if (!is_within_view(projection, &in[i])
+            || (plane && tp_view_plane_distance(plane, &in[i]) < 0))
+            return false;
+    return true;
+}
+
 int tp_clip_triangle_view_and_plane(const tp_projection *projection,
                                     const tp_view_plane *plane,
                                     const tp_view_vertex in[3],
@@ -207,6 +227,12 @@ int tp_clip_triangle_view_and_plane(const tp_projection *projection,
 {
     const sides of = { projection, plane };
     tp_view_vertex other[TP_CLIP_VERTICES];
+
+    if (is_whole(projection, plane, in)) {
+        for (int i = 0; i < 3; i++)
+            out[i] = in[i];
+        return 3;
+    }
     int count = clip_side(&of, in, 3, other, SIDE_NEAR);        /* <= 4 vertices */
 
     if (plane) {
