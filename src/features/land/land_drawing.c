@@ -13,10 +13,11 @@ typedef struct {
     int32_t  u, v;
     uint32_t zi;
     int16_t  n[3];              /* normal, any length */
-    int16_t  out;               /* bits DEEP, BEHIND */
+    int16_t  out;               /* bits DEEP to BELOW */
 } corner;
 
-enum { DEEP = 1, BEHIND = 2 };  /* below every trough; behind the near plane */
+/* Below every trough; behind the near plane; beside the picture. */
+enum { DEEP = 1, BEHIND = 2, LEFT = 4, RIGHT = 8, ABOVE = 16, BELOW = 32 };
 
 /* Range of pixel rows, both ends included. */
 typedef struct {
@@ -63,6 +64,19 @@ static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
     n[2] = (int16_t)(-(int64_t)rise_z * 511 / most);
 }
 
+/* Returns the sides of the picture that a vertex lies beyond.  Each side is a plane through
+ * the eye, 16 px beyond the edge: more than clipping rounds. */
+static int32_t sides_beside_picture(const tp_projection *projection, const tp_view_vertex *c)
+{
+    const int64_t x = (int64_t)c->x * (1 << projection->m);
+    const int64_t y = (int64_t)c->y * (1 << projection->m);
+    const int64_t wide = (int64_t)c->depth * (projection->u0 / 16 + 16);
+    const int64_t high = (int64_t)c->depth * (projection->v0 / 16 + 16);
+
+    return (x < -wide ? LEFT : 0) | (x > wide ? RIGHT : 0) | (y > high ? ABOVE : 0)
+           | (y < -high ? BELOW : 0);
+}
+
 static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint32_t j,
                          tp_fx culling_depth)
 {
@@ -73,14 +87,15 @@ static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint3
 
     set_normal(to->n, floor.rise_x, floor.rise_z);
     to->out = (int16_t)((floor.depth > culling_depth ? DEEP : 0)
-                        | (c.depth < frame->projection.near ? BEHIND : 0));
+                        | (c.depth < frame->projection.near ? BEHIND : 0)
+                        | sides_beside_picture(&frame->projection, &c));
     if (tp_projection_can_project(&frame->projection, &c))
         tp_projection_project(&frame->projection, &c, &to->u, &to->v, &to->zi);
     else
         to->u = TP_GRID_NEEDS_CLIP;
 }
 
-/* True if all corners of a cell are DEEP, or all are BEHIND.  Other cells are drawn. */
+/* True if all corners of a cell are beyond one side.  Other cells are drawn. */
 static bool is_culled(const corner *const p[4])
 {
     return (p[0]->out & p[1]->out & p[2]->out & p[3]->out) != 0;
@@ -167,6 +182,21 @@ static tp_screen_vertex make_screen_vertex(const corner *v)
                         .n = { v->n[0], v->n[1], v->n[2] } };
 }
 
+/* True if all corners of a cell lie beside one side of the tile. */
+static bool is_beside_tile(const corner *const p[4], const tp_gbuffer *tile)
+{
+    int32_t left = INT32_MAX, right = INT32_MIN, above = INT32_MAX, below = INT32_MIN;
+
+    for (int k = 0; k < 4; k++) {
+        left = p[k]->u < left ? p[k]->u : left;
+        right = p[k]->u > right ? p[k]->u : right;
+        above = p[k]->v < above ? p[k]->v : above;
+        below = p[k]->v > below ? p[k]->v : below;
+    }
+    return right < 16 * tile->x0 || left >= 16 * tile->x1 || below < 16 * tile->y0
+           || above >= 16 * tile->y1;
+}
+
 static void draw_clipped(const tp_frame *frame, const tp_gbuffer *tile,
                          const uint32_t at[3][2], uint32_t mark)
 {
@@ -197,6 +227,8 @@ static void draw_cell(const tp_frame *frame, const land *l, const tp_gbuffer *ti
         draw_clipped(frame, tile, second, mark);
         return;
     }
+    if (is_beside_tile(all, tile))
+        return;
     tp_screen_vertex p[4] = { make_screen_vertex(a), make_screen_vertex(b),
                               make_screen_vertex(c), make_screen_vertex(d) };
     tp_tri_solid(tile, &p[0], &p[3], &p[2], mark, 0, 16);
