@@ -68,18 +68,6 @@ static void place_posts(const tp_frame *frame, tp_glass_wall *wall, const tp_rec
     append_side_post(frame, wall, r, to);
 }
 
-/* Places the posts of all walls; runs after the water's grid. */
-static void place_side_posts(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
-{
-    const tp_rectangle r = tp_pool_sides(frame->scene);
-    tp_glass *glass = mine;
-
-    for (uint32_t k = 0; view->picture && k < glass->walls; k++) {
-        place_posts(frame, &glass->wall[k], &r);
-        *box = TP_BOX_ALL;
-    }
-}
-
 static const int16_t no_normal[3] = { 0, 0, 0 };    /* the stage knows the wall's normal */
 static void transform_corners(const tp_frame *frame, const tp_vec3 corner[3],
                               tp_view_vertex to[3])
@@ -88,43 +76,84 @@ static void transform_corners(const tp_frame *frame, const tp_vec3 corner[3],
         to[k] = tp_solid_vertex_make(&frame->projection, corner[k], no_normal);
 }
 
+/* The two triangles of the side from a post to the next one. */
+typedef struct {
+    tp_view_vertex of[2][3];
+} side_part;
+
+static side_part make_side_part(const tp_frame *frame, const tp_rectangle *r, uint32_t face,
+                                const tp_tank_side_post *post)
+{
+    const tp_projection *by = &frame->projection;
+    const tp_fx floor = -frame->scene->tank.depth;
+    const tp_view_vertex low = tp_solid_vertex_make(
+        by, point_on_wall(r, face, post[0].along, floor), no_normal);
+    const tp_view_vertex right = tp_solid_vertex_make(
+        by, point_on_wall(r, face, post[1].along, floor), no_normal);
+    const tp_view_vertex top = tp_solid_vertex_make(
+        by, point_on_wall(r, face, post[1].along, post[1].high), no_normal);
+    const tp_view_vertex left = tp_solid_vertex_make(
+        by, point_on_wall(r, face, post[0].along, post[0].high), no_normal);
+
+    return (side_part){ { { low, right, top }, { low, top, left } } };
+}
+
+/* Sets the rows of the side from a post to the next one. */
+static void set_post_rows(const tp_frame *frame, const tp_rectangle *r, uint32_t face,
+                          tp_tank_side_post *post)
+{
+    const side_part part = make_side_part(frame, r, face, post);
+    tp_grid_box box = TP_BOX_NONE;
+
+    for (int half = 0; half < 2; half++) {
+        tp_screen_vertex at[TP_CLIP_VERTICES];
+        const int count = tp_clipped_corners(&frame->projection, NULL, part.of[half], at);
+        for (int k = 0; k < count; k++)
+            tp_box_widen(&box, at[k].u, at[k].v);
+    }
+    post->y0 = box.y0;
+    post->y1 = box.y1;
+}
+
+/* Places the posts of all walls; runs after the water's grid. */
+static void place_side_posts(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
+{
+    const tp_rectangle r = tp_pool_sides(frame->scene);
+    tp_glass *glass = mine;
+
+    for (uint32_t k = 0; view->picture && k < glass->walls; k++) {
+        tp_glass_wall *wall = &glass->wall[k];
+        place_posts(frame, wall, &r);
+        for (uint32_t i = 0; i + 1 < wall->posts; i++)
+            set_post_rows(frame, &r, wall->face, &wall->post[i]);
+        *box = TP_BOX_ALL;
+    }
+}
+
 /* One side of the water, and its target. */
 typedef struct {
     const tp_frame   *frame;
     const tp_gbuffer *tile;
     uint32_t          mark, face;
     tp_rectangle      sides;
-    tp_fx             floor;
 } glass_side;
 
-static void draw_triangle(const glass_side *s, const tp_vec3 at[3])
+/* Draws the part of the side from a post to the next one. */
+static void draw_water_face_to_next_post(const glass_side *s, const tp_tank_side_post *post)
 {
-    tp_view_vertex in[3];
-
-    transform_corners(s->frame, at, in);
-    tp_clipped_draw(&s->frame->projection, NULL, s->tile, in, s->mark, s->face);
-}
-
-/* Draws the part of the side between two posts. */
-static void draw_water_face_between_posts(const glass_side *s, const tp_tank_side_post *a,
-                                          const tp_tank_side_post *b)
-{
-    tp_vec3 low = point_on_wall(&s->sides, s->face, a->along, s->floor);
-    tp_vec3 top = point_on_wall(&s->sides, s->face, b->along, b->high);
-    tp_vec3 left = point_on_wall(&s->sides, s->face, a->along, a->high);
-    tp_vec3 right = point_on_wall(&s->sides, s->face, b->along, s->floor);
-    const tp_vec3 one[3] = { low, right, top }, two[3] = { low, top, left };
-
-    draw_triangle(s, one);
-    draw_triangle(s, two);
+    if (post->y0 >= s->tile->y1 || post->y1 < s->tile->y0)
+        return;
+    const side_part part = make_side_part(s->frame, &s->sides, s->face, post);
+    for (int half = 0; half < 2; half++)
+        tp_clipped_draw(&s->frame->projection, NULL, s->tile, part.of[half], s->mark,
+                        s->face);
 }
 
 static void draw_water_sides(const tp_frame *frame, const void *mine, const tp_view *view,
                              tp_gbuffer *tile, uint32_t mark)
 {
     const tp_glass *glass = mine;
-    glass_side s = { .frame = frame, .tile = tile, .mark = mark,
-               .floor = -frame->scene->tank.depth };
+    glass_side s = { .frame = frame, .tile = tile, .mark = mark };
 
     if (!view->picture || glass->walls == 0)
         return;
@@ -134,7 +163,7 @@ static void draw_water_sides(const tp_frame *frame, const void *mine, const tp_v
         const tp_glass_wall *wall = &glass->wall[k];
         s.face = wall->face;
         for (uint32_t i = 0; i + 1 < wall->posts; i++)
-            draw_water_face_between_posts(&s, &wall->post[i], &wall->post[i + 1]);
+            draw_water_face_to_next_post(&s, &wall->post[i]);
     }
 }
 

@@ -43,9 +43,11 @@ tp_rectangle tp_tank_outer_sides(const tp_scene *scene, const tp_rectangle *wate
 /* True if wall `face` (+x, -x, +z, -z) is of glass and the eye is on its outer side. */
 bool tp_tank_is_front_glass(const struct tp_frame *frame, uint32_t face);
 
-/* A point of the water's edge along a wall of glass, m. */
+/* A point of the water's edge along a wall of glass, m, and the pixel rows of the water's
+ * side up to the next post, the last one included; y0 > y1: none. */
 typedef struct {
-    tp_fx along, high;
+    tp_fx   along, high;
+    int16_t y0, y1;
 } tp_tank_side_post;
 
 /* Half of a wall of glass, projected and clipped; 28.4 px. */
