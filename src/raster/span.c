@@ -292,6 +292,13 @@ static uint32_t dither_pattern(int opacity)
     return rows_of_bits;
 }
 
+/* True if s or t differs between the vertices.  Equal ones need no perspective. */
+static bool has_st(const tp_screen_vertex *a, const tp_screen_vertex *b,
+                   const tp_screen_vertex *c)
+{
+    return a->s != b->s || a->s != c->s || a->t != b->t || a->t != c->t;
+}
+
 void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
                   const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark,
                   uint32_t face, int opacity)
@@ -302,7 +309,7 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
-    const bool exact = TP_SPAN_STEP && tri.perspective;
+    const bool exact = TP_SPAN_STEP && tri.perspective && has_st(a, b, c);
     p.tri = &tri;
     p.mark = mark;
     p.face = face;
