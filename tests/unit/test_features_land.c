@@ -187,6 +187,40 @@ static void a_slope_into_the_deep_is_the_same_in_all_bands(void **state)
     free(world);
 }
 
+/* Waves on a beach: the land that the fast rung of solids leaves out is hidden by water.
+ * The marks of 1000 pictures were the same. */
+static void the_fast_rung_leaves_out_hidden_land_alone(void **state)
+{
+    (void)state;
+    static uint32_t exact[WIDTH * HEIGHT];
+    uint32_t land = 0;
+
+    for (int n = 0; n < 12; n++) {
+        tp_scene s =
+            beach(chance_double(&chance, 0, 3), chance_double(&chance, 0.03, 0.2));
+        for (int k = 0; k < 2; k++)
+            s.wave[k] = (tp_wave){ .amplitude = chance_fx(&chance, 0.05, 0.7),
+                                   .length = chance_fx(&chance, 6, 40),
+                                   .heading = chance_fx(&chance, -70, 70),
+                                   .phase = chance_fx(&chance, 0, 360),
+                                   .speed = TP_FX_ONE, .exponent = 1 };
+        s.camera.x = chance_fx(&chance, -30, 30);
+        s.camera.z = chance_fx(&chance, -10, 40);
+        s.camera.y = chance_fx(&chance, 2, 20);
+        s.camera.heading = chance_fx(&chance, -120, 120);
+        s.camera.pitch = chance_fx(&chance, -45, 0);
+        tp_world *world = scene_world(&s, &none);
+        marks_draw(&s, &none, world, config, exact, NULL);
+        s.quality.solids = TP_RUNG_FAST;
+        marks_draw(&s, &none, world, config, key, NULL);
+        for (int i = 0; i < WIDTH * HEIGHT; i++)
+            assert_int_equal(TP_MARK(key[i]), TP_MARK(exact[i]));
+        land += marks_count(key, WIDTH * HEIGHT, MARKS_LAND);
+        free(world);
+    }
+    assert_true(land > 1000);
+}
+
 int main(void)
 {
     chance = random_seed();
@@ -196,6 +230,7 @@ int main(void)
         cmocka_unit_test(nothing_of_a_deep_floor_is_drawn),
         cmocka_unit_test(every_tiling_gives_the_same_bits),
         cmocka_unit_test(a_slope_into_the_deep_is_the_same_in_all_bands),
+        cmocka_unit_test(the_fast_rung_leaves_out_hidden_land_alone),
     };
     return cmocka_run_group_tests_name("features/land", tests, NULL, NULL);
 }

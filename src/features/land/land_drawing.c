@@ -153,12 +153,23 @@ static void set_swash(const tp_frame *frame, tp_land_look *look)
                                  (uint32_t)(256 + lit) / 2);
 }
 
+/* Returns the depth from which water hides the land.  The fast rung of solids relies on
+ * waves that are lower in shallow water: a trough reaches a quarter of the bound at most. */
+static tp_fx culling_depth_of(const tp_frame *frame)
+{
+    const tp_fx lowest = tp_surface_height_bound(&frame->surface);
+
+    if (frame->scene->quality.solids == TP_RUNG_FAST && !frame->under)
+        return lowest / 4 + TP_FX_ONE / 4;
+    return lowest + TP_FX_ONE;
+}
+
 /* Projects the land.  Land appears in the main view only, and needs grid vertices: only
  * some water renderers make them. */
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_grid *grid = frame->buffers.grid;
-    tp_fx deepest = tp_surface_height_bound(&frame->surface) + TP_FX_ONE;
+    const tp_fx deepest = culling_depth_of(frame);
     land *l = mine;
 
     l->seen = view->picture && grid && frame->surface.coastal;
