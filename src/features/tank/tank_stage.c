@@ -80,22 +80,95 @@ void tp_stage_tank_side(const tp_shade *shade, tp_run *run)
     }
 }
 
-/* Fast: every second column of a block and its last one; the columns between take the
- * mean. */
+/* -- the water's side, fast ------------------------------------------------------------ */
+
+/* Rays into the water at both ends of a block's columns. */
+typedef struct {
+    tp_refracted_ray first, last;
+    int32_t columns;            /* from the first to the last */
+} side_block;
+
+static tp_refracted_ray side_ray(const tp_shade *shade, const tp_run *run, int32_t i)
+{
+    const tp_ray view = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+    tp_refracted_ray ray;
+
+    tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
+    ray.way = tp_underwater_refract(shade->underwater, 1, view, wall_normal(run->t[i]));
+    return ray;
+}
+
+/* Returns the end of the block's columns of one wall. */
+static int32_t wall_end(const tp_run *run, int32_t i, int32_t stop)
+{
+    const uint32_t face = run->t[i];
+
+    while (i < stop && run->t[i] == face)
+        i++;
+    return i;
+}
+
+/* Interpolates by `share`, 0..65536.  Both ends of a block see the same wall less than
+ * 2^15 m away. */
+static int32_t between(int32_t a, int32_t b, int32_t share)
+{
+    return (int32_t)(a + (((int64_t)b - a) * share >> 16));
+}
+
+/* Returns the colour at a column of the block. */
+static uint32_t side_block_colour(const tp_shade *shade, const side_block *s, int32_t column)
+{
+    const tp_refracted_ray *a = &s->first, *b = &s->last;
+    const int32_t share = s->columns > 0 ? column * 65536 / s->columns : 0;
+    const tp_refracted_ray ray = {
+        { between(a->at.x, b->at.x, share), between(a->at.y, b->at.y, share),
+          between(a->at.z, b->at.z, share) },
+        { between(a->way.x, b->way.x, share), between(a->way.y, b->way.y, share),
+          between(a->way.z, b->way.z, share), 0 },
+        between(a->far, b->far, share)
+    };
+
+    return tp_underwater_trace(shade, &shade->underwater->floor_plane, &ray,
+                               shade->underwater->deep);
+}
+
+/* Sets the columns before `end`, `count` of them, between two colours. */
+static void mix_columns(uint32_t *end, int32_t count, uint32_t here, uint32_t next)
+{
+    const uint32_t middle = tp_uhadd8(here, next);
+
+    if (count > 1) {
+        end[-count] = tp_uhadd8(here, middle);
+        end[-1] = tp_uhadd8(middle, next);
+    }
+    if (count & 1)
+        end[-(count + 1) / 2] = middle;
+}
+
+/* Shades columns i to stop - 1, of one wall and one block: rays are refracted at both ends,
+ * every fourth column and the last one follow a ray between them, and the rest are mixed. */
+static void shade_side_block(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop)
+{
+    const int32_t last = stop - 1 - i;
+    side_block s = { .first = side_ray(shade, run, i), .columns = last };
+    uint32_t *to = run->colour + i;
+
+    s.last = last > 0 ? side_ray(shade, run, i + last) : s.first;
+    to[0] = side_block_colour(shade, &s, 0);
+    for (int32_t k = 0; k < last; ) {
+        const int32_t next = k + 4 < last ? k + 4 : last;
+        to[next] = side_block_colour(shade, &s, next);
+        mix_columns(&to[next], next - k - 1, to[k], to[next]);
+        k = next;
+    }
+}
+
 void tp_stage_quick_tank_side(const tp_shade *shade, tp_run *run)
 {
-    tp_refracted_ray ray[TP_UNDERWATER_ROW];
-
     tp_run_fill_vectors_to_eye(shade, &shade->world, run);
     for (int32_t i = 0, stop; i < run->count; i = stop) {
-        stop = tp_block_end(run, i);
-        tp_underwater_set_start_points(shade, run, i, stop, ray);
-        for (int32_t k = i; k < stop; k += 2)
-            run->colour[k] = side_colour(shade, run, k, ray[k - i]);
-        for (int32_t k = i + 1; k + 1 < stop; k += 2)
-            run->colour[k] = tp_uhadd8(run->colour[k - 1], run->colour[k + 1]);
-        if ((stop - i) % 2 == 0)
-            run->colour[stop - 1] = side_colour(shade, run, stop - 1, ray[stop - 1 - i]);
+        stop = wall_end(run, i, tp_block_end(run, i));
+        shade_side_block(shade, run, i, stop);
     }
 }
 
@@ -158,32 +231,28 @@ static void tint(const tp_shade *shade, const tp_glass *glass, tp_run *run, pane
     }
 }
 
-/* The same with one share and one sky for each block of 16 columns: those of the middle of
- * the samples in the block. */
-static void tint_by_blocks(const tp_shade *shade, const tp_glass *glass, tp_run *run,
+/* The same for samples of a block of 16 columns, with the share and the sky of their
+ * middle. */
+static void tint_block(const tp_shade *shade, const tp_glass *glass, tp_run *run,
                            pane_part p, uint32_t face)
 {
     const tp_ray n = wall_normal(face);
     const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
+    const tp_ray v = tp_quick_ray(shade, &row, 16 * run->x + 8 * (p.first + p.end));
+    const int32_t nv = (v.x * n.x + v.z * n.z) >> 14;
+    const uint32_t share = shade->fresnel[tp_clamp(nv, 0, 16384) >> 6];
+    const uint32_t sky = tp_env_sample(shade, (2 * nv * n.x >> 14) - v.x, -v.y,
+                                       (2 * nv * n.z >> 14) - v.z);
+    const uint32_t kept = (256 - glass->share) * (256 - share) >> 8;
+    const uint32_t added =
+        tp_colour_mix(tp_colour_scale(glass->colour, glass->share), sky, share);
 
-    for (int32_t i = p.first, stop; i < p.end; i = stop) {
-        stop = tp_block_end(run, i) < p.end ? tp_block_end(run, i) : p.end;
-        const tp_ray v = tp_quick_ray(shade, &row, 16 * run->x + 8 * (i + stop));
-        const int32_t nv = (v.x * n.x + v.z * n.z) >> 14;
-        const uint32_t share = shade->fresnel[tp_clamp(nv, 0, 16384) >> 6];
-        const uint32_t sky = tp_env_sample(shade, (2 * nv * n.x >> 14) - v.x, -v.y,
-                                           (2 * nv * n.z >> 14) - v.z);
-        const uint32_t kept = (256 - glass->share) * (256 - share) >> 8;
-        const uint32_t added =
-            tp_colour_mix(tp_colour_scale(glass->colour, glass->share), sky, share);
-        for (; i < stop; i++)
-            run->colour[i] = tp_colour_add(tp_colour_scale(run->colour[i], kept), added);
-    }
+    for (int32_t i = p.first; i < p.end; i++)
+        run->colour[i] = tp_colour_add(tp_colour_scale(run->colour[i], kept), added);
 }
 
-TP_ALWAYS_INLINE void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
-                                        const tp_glass_wall *wall, tp_run *run, pane_part p,
-                                        int fast)
+static void tint_behind_glass(const tp_shade *shade, const tp_glass *glass,
+                              const tp_glass_wall *wall, tp_run *run, pane_part p)
 {
     int64_t v = shade->v0 - 16 * run->y - 8;
 
@@ -194,10 +263,39 @@ TP_ALWAYS_INLINE void tint_behind_glass(const tp_shade *shade, const tp_glass *g
         bool seen = is_behind_glass(shade, wall, run->key[i], view);
         for (; i < p.end && seen == is_behind_glass(shade, wall, run->key[i], view); i++)
             view += wall->right * 16;
-        if (seen && fast)
-            tint_by_blocks(shade, glass, run, (pane_part){ from, i }, wall->face);
-        else if (seen)
+        if (seen)
             tint(shade, glass, run, (pane_part){ from, i }, wall->face);
+    }
+}
+
+/* Returns the end of the samples from i on that lie on one side of the glass, within a
+ * block up to `stop`.  A block whose ends lie there is taken as a whole. */
+static int32_t side_end(const tp_shade *shade, const tp_glass_wall *wall, const tp_run *run,
+                        int32_t i, int32_t stop, int64_t view, bool seen)
+{
+    int32_t k = stop - 1;
+
+    if (seen == is_behind_glass(shade, wall, run->key[k], view + wall->right * 16 * k))
+        return stop;
+    for (k = i + 1; k < stop; k++)
+        if (seen != is_behind_glass(shade, wall, run->key[k], view + wall->right * 16 * k))
+            break;
+    return k;
+}
+
+static void tint_blocks_behind_glass(const tp_shade *shade, const tp_glass *glass,
+                                     const tp_glass_wall *wall, tp_run *run, pane_part p)
+{
+    const int64_t view = wall->right * (int64_t)(16 * run->x + 8 - shade->u0)
+                       + wall->up * (int64_t)(shade->v0 - 16 * run->y - 8) + wall->ahead;
+
+    for (int32_t i = p.first, stop; i < p.end; i = stop) {
+        stop = tp_block_end(run, i) < p.end ? tp_block_end(run, i) : p.end;
+        const bool seen =
+            is_behind_glass(shade, wall, run->key[i], view + wall->right * 16 * i);
+        stop = side_end(shade, wall, run, i, stop, view, seen);
+        if (seen)
+            tint_block(shade, glass, run, (pane_part){ i, stop }, wall->face);
     }
 }
 
@@ -222,7 +320,7 @@ void tp_stage_pane(const tp_shade *shade, tp_run *run)
         if (!viewed)
             tp_run_fill_vectors_to_eye(shade, &shade->world, run);
         viewed = true;
-        tint_behind_glass(shade, glass, wall, run, p, 0);
+        tint_behind_glass(shade, glass, wall, run, p);
     }
 }
 
@@ -236,7 +334,7 @@ void tp_stage_quick_pane(const tp_shade *shade, tp_run *run)
             continue;
         const pane_part p = covered_part(&wall->pane[k % 2], run);
         if (p.first < p.end)
-            tint_behind_glass(shade, glass, wall, run, p, 1);
+            tint_blocks_behind_glass(shade, glass, wall, run, p);
     }
 }
 
