@@ -269,7 +269,7 @@ typedef struct {
     X(underside) X(underside_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \
     X(absorb)               /* absorption in front of things */
-#define TP_STAGES_OF_tank(X)        X(wall)
+#define TP_STAGES_OF_tank(X)        X(wall) X(quick_wall)
 #define TP_STAGES_OF_glass(X) \
     X(tank_side)            /* water behind the glass */ \
     X(pane)                 /* the glass, after tone mapping */ \

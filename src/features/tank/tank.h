@@ -5,6 +5,7 @@
  *     tank_drawing.c    stone walls, and the inner walls of a pool
  *     glass_drawing.c   walls of glass: the water's side, and the panes
  *     tank_stage.c      the span stages of stone and glass, exact and fast
+ *     fast_stone_stage.c  the fast stage of stone
  *     tank_rungs.c      the cost of both
  */
 #ifndef TP_FEATURES_TANK_TANK_H

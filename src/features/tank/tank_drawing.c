@@ -240,9 +240,11 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {
-    (void)frame;
+    const bool fast = frame->scene->quality.solids == TP_RUNG_FAST;
+
     if (list->owner == &tp_tank_drawing)
-        tp_shaders_add(list, TP_AT_COLOUR, stage[0], mine);
+        tp_shaders_add(list, TP_AT_COLOUR, stage[fast ? TP_NTH_quick_wall : TP_NTH_wall],
+                       mine);
 }
 
 /* -- blocks -------------------------------------------------------------------------- */

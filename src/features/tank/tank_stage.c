@@ -88,9 +88,11 @@ typedef struct {
     int32_t columns;            /* from the first to the last */
 } side_block;
 
-static tp_refracted_ray side_ray(const tp_shade *shade, const tp_run *run, int32_t i)
+static tp_refracted_ray side_ray(const tp_shade *shade, const tp_quick_ray_row *row,
+                                 const tp_run *run, int32_t i)
 {
-    const tp_ray view = { -run->vx[i], -run->vy[i], -run->vz[i], 0 };
+    const tp_ray eye = tp_quick_ray(shade, row, 16 * (run->x + i) + 8);
+    const tp_ray view = { -eye.x, -eye.y, -eye.z, 0 };
     tp_refracted_ray ray;
 
     tp_underwater_set_start_points(shade, run, i, i + 1, &ray);
@@ -147,13 +149,14 @@ static void mix_columns(uint32_t *end, int32_t count, uint32_t here, uint32_t ne
 
 /* Shades columns i to stop - 1, of one wall and one block: rays are refracted at both ends,
  * every fourth column and the last one follow a ray between them, and the rest are mixed. */
-static void shade_side_block(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop)
+static void shade_side_block(const tp_shade *shade, const tp_quick_ray_row *row, tp_run *run,
+                             int32_t i, int32_t stop)
 {
     const int32_t last = stop - 1 - i;
-    side_block s = { .first = side_ray(shade, run, i), .columns = last };
+    side_block s = { .first = side_ray(shade, row, run, i), .columns = last };
     uint32_t *to = run->colour + i;
 
-    s.last = last > 0 ? side_ray(shade, run, i + last) : s.first;
+    s.last = last > 0 ? side_ray(shade, row, run, i + last) : s.first;
     to[0] = side_block_colour(shade, &s, 0);
     for (int32_t k = 0; k < last; ) {
         const int32_t next = k + 4 < last ? k + 4 : last;
@@ -165,10 +168,11 @@ static void shade_side_block(const tp_shade *shade, tp_run *run, int32_t i, int3
 
 void tp_stage_quick_tank_side(const tp_shade *shade, tp_run *run)
 {
-    tp_run_fill_vectors_to_eye(shade, &shade->world, run);
+    const tp_quick_ray_row row = tp_quick_ray_row_make(shade, run->y);
+
     for (int32_t i = 0, stop; i < run->count; i = stop) {
         stop = wall_end(run, i, tp_block_end(run, i));
-        shade_side_block(shade, run, i, stop);
+        shade_side_block(shade, &row, run, i, stop);
     }
 }
 
