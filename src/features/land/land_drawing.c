@@ -155,7 +155,7 @@ static void set_swash(const tp_frame *frame, tp_land_look *look)
 
 /* Returns the depth from which water hides the land.  The fast rung of solids relies on
  * waves that are lower in shallow water: a trough reaches a quarter of the bound at most. */
-static tp_fx culling_depth_of(const tp_frame *frame)
+static tp_fx find_culling_depth(const tp_frame *frame)
 {
     const tp_fx lowest = tp_surface_height_bound(&frame->surface);
 
@@ -169,7 +169,7 @@ static tp_fx culling_depth_of(const tp_frame *frame)
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_grid *grid = frame->buffers.grid;
-    const tp_fx deepest = culling_depth_of(frame);
+    const tp_fx deepest = find_culling_depth(frame);
     land *l = mine;
 
     l->seen = view->picture && grid && frame->surface.coastal;
