@@ -54,14 +54,15 @@ static tp_view_vertex transform_vertex(const tp_frame *frame, uint32_t i, uint32
     return c;
 }
 
-/* Sets the normal (-rise_x, 1, -rise_z), scaled to a length below 512. */
+/* Sets the normal (-rise_x, 1, -rise_z), scaled to a length below 512.  Slopes are within
+ * +-8, so the products fit 32 bits. */
 static void set_normal(int16_t n[3], tp_fx rise_x, tp_fx rise_z)
 {
     tp_fx most = TP_FX_ONE + tp_abs(rise_x) + tp_abs(rise_z);
 
-    n[0] = (int16_t)(-(int64_t)rise_x * 511 / most);
-    n[1] = (int16_t)((int64_t)TP_FX_ONE * 511 / most);
-    n[2] = (int16_t)(-(int64_t)rise_z * 511 / most);
+    n[0] = (int16_t)(-rise_x * 511 / most);
+    n[1] = (int16_t)(TP_FX_ONE * 511 / most);
+    n[2] = (int16_t)(-rise_z * 511 / most);
 }
 
 /* Returns the sides of the picture that a vertex lies beyond.  Each side is a plane through
