@@ -328,17 +328,41 @@ void tp_stage_pane(const tp_shade *shade, tp_run *run)
     }
 }
 
+/* Joins the halves of a wall, which no edge of the view cuts, along their diagonal. */
+static void join_halves(const tp_pane half[2], tp_pane *to)
+{
+    to->count = 4;
+    for (int k = 0; k < 4; k++) {
+        to->u[k] = half[k / 3].u[k < 3 ? k : 2];
+        to->v[k] = half[k / 3].v[k < 3 ? k : 2];
+    }
+}
+
+static void tint_wall_by_blocks(const tp_shade *shade, const tp_glass *glass,
+                                const tp_glass_wall *wall, const tp_pane *pane, tp_run *run)
+{
+    const pane_part p = covered_part(pane, run);
+
+    if (p.first < p.end)
+        tint_blocks_behind_glass(shade, glass, wall, run, p);
+}
+
 void tp_stage_quick_pane(const tp_shade *shade, tp_run *run)
 {
     const tp_glass *glass = run->mine;
 
-    for (uint32_t k = 0; k < 2 * glass->walls; k++) {
-        const tp_glass_wall *wall = &glass->wall[k / 2];
+    for (uint32_t k = 0; k < glass->walls; k++) {
+        const tp_glass_wall *wall = &glass->wall[k];
         if (!is_run_in_wall_box(wall, run))
             continue;
-        const pane_part p = covered_part(&wall->pane[k % 2], run);
-        if (p.first < p.end)
-            tint_blocks_behind_glass(shade, glass, wall, run, p);
+        if (wall->pane[0].count == 3 && wall->pane[1].count == 3) {
+            tp_pane whole;
+            join_halves(wall->pane, &whole);
+            tint_wall_by_blocks(shade, glass, wall, &whole, run);
+            continue;
+        }
+        tint_wall_by_blocks(shade, glass, wall, &wall->pane[0], run);
+        tint_wall_by_blocks(shade, glass, wall, &wall->pane[1], run);
     }
 }
 
