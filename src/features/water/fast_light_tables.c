@@ -270,46 +270,6 @@ static void fill_rough_sky(struct tp_quick_light *quick, const tp_shade *shade,
     }
 }
 
-/* -- the map of a cube --------------------------------------------------------------- */
-
-/* Returns the height y, Q14, at which the contracted horizontal part sqrt(1 - y^2) (1 -
- * y / 2) is `radius` / 16384.  The horizontal part falls with y. */
-static int32_t sky_map_radius_to_direction_y(int32_t radius)
-{
-    int32_t low = 0, high = 16384;
-
-    for (int k = 0; k < 14; k++) {
-        int32_t y = (low + high) / 2;
-        if (root_q14((1 << 28) - y * y) * (int64_t)(32768 - y) >> 15 > radius)
-            low = y;
-        else
-            high = y;
-    }
-    return low;
-}
-
-/* Returns the mipmap level of a face with 16 texels across, about as many as in the map. */
-static int choose_level(const tp_texture *face)
-{
-    return face->log2_w > 4 ? face->log2_w - 4 : 0;
-}
-
-/* Fills the map of a cube.  A cell holds the light from the direction opposite to its
- * place. */
-static void make_cube_sky_map(struct tp_quick_light *quick, const tp_shade *shade)
-{
-    for (int32_t i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++) {
-        int32_t u = (i % TP_QUICK_SIDE - 16) * 1024 + 512;
-        int32_t v = (i / TP_QUICK_SIDE - 16) * 1024 + 512;
-        int32_t far = tp_clamp(root_q14(u * u + v * v), 1, 32767),
-                y = sky_map_radius_to_direction_y(far);
-        int32_t level_part = root_q14((1 << 28) - y * y);
-        int32_t x = -u * level_part / far, z = -v * level_part / far;
-        const tp_texture *face = shade->env.cube->face[tp_cube_face(x, y, z).face];
-        quick->sky[i] = tp_env_cube(shade, choose_level(face), x, y, z) & 0xffffff;
-    }
-}
-
 /* -- all tables ---------------------------------------------------------------------- */
 
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
@@ -329,7 +289,7 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
             fill_rough_sky(quick, shade, &level);
     }
     if (cube)
-        make_cube_sky_map(quick, shade);
+        tp_quick_fill_cube_map(quick, shade);
     else
         fill_smooth_sky(quick, shade);
 }

@@ -246,6 +246,9 @@ uint32_t tp_quick_ripple_variance(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool specular, bool rippled);
 
+/* fast_cube_map.c: fills the map of a cube's light. */
+void tp_quick_fill_cube_map(struct tp_quick_light *quick, const tp_shade *shade);
+
 /* fast_layers_stage.c.  Fills the colours of odd columns from the even columns. */
 void tp_quick_odd_fill(tp_run *run);
 
