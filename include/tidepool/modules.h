@@ -101,7 +101,8 @@ extern const struct tp_water_swells tp_water_few_swells;
 #define TP_DRAW_LIST(X) \
     X(rungs)            /* the quality plan */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \
-    X(half_lines)       /* water at half the rows, for quality.lines */
+    X(half_lines)       /* water at half the rows, for quality.lines */ \
+    X(fast_waves)       /* vertices in 32 bits, for quality.waves */
 
 /* Renderers of the water's surface, see tp_visibility. */
 #define TP_METHOD_LIST(X) \

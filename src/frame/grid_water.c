@@ -228,9 +228,11 @@ static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
 
 void tp_frame_begin_grid(tp_frame *frame)
 {
-    const tp_grid *grid = frame->buffers.grid;
+    tp_grid *grid = frame->buffers.grid;
 
-    tp_grid_place_rows(frame->buffers.grid, &frame->grid_view);
+    grid->fast = frame->scene->quality.waves == TP_RUNG_FAST ? frame->program->draw.fast_waves
+                                                             : NULL;
+    tp_grid_place_rows(grid, &frame->grid_view);
     if (frame->buffers.filtered)
         tp_fan_fill_variance(grid, frame->buffers.filtered);
     frame->cull_water = frame->projection.eye.y > tp_surface_height_bound(&frame->surface);

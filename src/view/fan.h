@@ -171,6 +171,14 @@ static inline tp_fx tp_fan_share(tp_fx weight)
     return weight < TP_FX_ONE ? weight : TP_FX_ONE;
 }
 
+/* Returns the weight of the slopes; the slopes of a wave too steep to exist stay below 2. */
+static inline tp_fx tp_fan_slope_weight(const tp_swell *w, tp_fx weight)
+{
+    const int64_t most = tp_abs(w->slope_x) > tp_abs(w->slope_z) ? tp_abs(w->slope_x)
+                                                                 : tp_abs(w->slope_z);
+    return most * weight >> 16 < INT32_MAX ? weight : (tp_fx)(((int64_t)INT32_MAX << 16) / most);
+}
+
 /* Returns the spacing of a row in wavelengths of deep water. */
 tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
                                       const tp_deep_water *deep);

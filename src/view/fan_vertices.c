@@ -39,19 +39,11 @@ static void set_wind(row_wave *to, const tp_coastal_water *coastal, tp_fx share,
     to->iterations = coastal->wave[i].iterations;
 }
 
-/* Returns the weight of the slopes; the slopes of a wave too steep to exist stay below 2. */
-static tp_fx slope_weight(const tp_swell *w, tp_fx weight)
-{
-    const int64_t most = tp_abs(w->slope_x) > tp_abs(w->slope_z) ? tp_abs(w->slope_x)
-                                                                 : tp_abs(w->slope_z);
-    return most * weight >> 16 < INT32_MAX ? weight : (tp_fx)(((int64_t)INT32_MAX << 16) / most);
-}
-
 static void set_numbers(row_wave *to)
 {
     const tp_swell *w = to->swell;
     const tp_fx weight = to->weight, share = tp_fan_share(weight);
-    const tp_fx tilt = slope_weight(w, weight);
+    const tp_fx tilt = tp_fan_slope_weight(w, weight);
 
     to->orbit_x = tp_fx_mul(w->orbit_x, weight);
     to->orbit_z = tp_fx_mul(w->orbit_z, weight);
@@ -215,6 +207,10 @@ void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32
     const tp_projection *projection = grid->projection;
     row_waves waves;
 
+    if (grid->fast) {
+        grid->fast->evaluate_row(grid, j, first, end, vertex);
+        return;
+    }
     list_waves(grid, &grid->fan->row[j], &waves);
     for (uint32_t i = first; i < end; i++) {
         const tp_surface_point at = sample(&waves, i);
@@ -235,6 +231,10 @@ void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, 
 {
     row_waves waves;
 
+    if (grid->fast) {
+        grid->fast->make_view_vertices(grid, j, first, end, to);
+        return;
+    }
     list_waves(grid, &grid->fan->row[j], &waves);
     for (uint32_t i = first; i < end; i++, to++) {
         *to = (tp_view_vertex){ .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };

@@ -53,7 +53,17 @@ typedef struct {
     uint32_t  sheets;           /* displaced rows; the last is (sheets - 1) % 3 */
     uint32_t *dry;              /* a bit per vertex of coastal water: on land */
     struct tp_fan *fan;         /* the rows, view/fan.h */
+    const struct tp_draw_fast_waves *fast;  /* evaluates the vertices; NULL: fan_vertices.c */
 } tp_grid;
+
+/* The vertices of a fan in 32 bits, for quality.waves = fast: tp_fan_evaluate_row and
+ * tp_fan_make_view_vertices.  fan_fast_vertices.c. */
+struct tp_draw_fast_waves {
+    void (*evaluate_row)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                         tp_grid_vertex *vertex);
+    void (*make_view_vertices)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                               tp_view_vertex *to);
+};
 
 /* Allocates a grid of `vertices` at the most, whose slope variance is kept between frames
  * for so many swells.  A window of a streamed grid evaluates its
