@@ -45,7 +45,7 @@ static inline tp_spray *tp_spray_of_world(const tp_world *world)
 /* -- streaks of a picture, in tp_run.mine -------------------------------------------- */
 
 #define TP_STREAK_BAND  8       /* rows of a band */
-#define TP_STREAK_REACH 5       /* most rows from a streak's middle to its end */
+#define TP_STREAK_REACH 5       /* most rows from any streak's middle to its end */
 
 /* A projected speck. */
 typedef struct {
@@ -54,12 +54,14 @@ typedef struct {
     uint32_t colour;            /* 0xAARRGGBB: opacity, and the colour in its haze */
     int8_t   du, dv;            /* half of the way, 1/16 px */
     uint8_t  radius;            /* half of the width, 1/16 px */
+    uint8_t  high;              /* most height from the middle to an end, 1/16 px */
     uint16_t next;              /* number of the band's next streak from 1 on; 0: none */
 } tp_streak;
 
 typedef struct {
     uint32_t   count, room, bands;
     uint32_t   colour;          /* colour of the speck being shaded */
+    uint32_t   reach;           /* most rows from a streak's middle to its end */
     tp_streak *streak;
     uint16_t  *first;           /* number of the first streak of each band, or 0 */
 } tp_streaks;

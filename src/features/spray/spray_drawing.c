@@ -176,6 +176,10 @@ static void add_streak(tp_frame *frame, tp_streaks *d, const tp_shaders *list,
 
     d->colour = lit_colour(frame, x, y);
     s->colour = opacity << 24 | shade_speck(frame, list, s->key, x, y);
+    s->high = (uint8_t)(s->radius + tp_abs(s->dv));
+    if (d->reach * 16 < s->high)
+        d->reach = (s->high + 15u) / 16;
+    TP_ASSERT(d->reach <= TP_STREAK_REACH);
     s->next = *band;
     *band = (uint16_t)d->count;
 }
@@ -191,6 +195,7 @@ static void project_specks(tp_frame *frame, void *mine, tp_view *view, tp_grid_b
     if (!view->picture || !list)
         return;
     d->count = 0;
+    d->reach = 0;
     memset(d->first, 0, d->bands * sizeof *d->first);
     for (uint32_t i = 0; spray && i < spray->count && d->count < d->room; i++) {
         const tp_speck *s = &tp_spray_list(spray)[i];

@@ -56,8 +56,8 @@ static uint32_t opacity_in_row(const tp_streak *s, const streak_row *r, int32_t 
 
 static void blend_streak(const tp_streak *s, tp_run *run)
 {
-    const int32_t dy = 16 * run->y + 8 - s->v, high = s->radius + tp_abs(s->dv);
-    if (tp_abs(dy) > high)                  /* the case of most streaks of the bands */
+    const int32_t dy = 16 * run->y + 8 - s->v, high = s->high;
+    if ((uint32_t)(dy + high) > 2 * (uint32_t)high)     /* most streaks of the bands */
         return;
     const int32_t wide = s->radius + tp_abs(s->du);
     const int32_t low = (s->u - wide + 7) >> 4, end = ((s->u + wide - 8) >> 4) + 1;
@@ -79,7 +79,7 @@ static void blend_streak(const tp_streak *s, tp_run *run)
 void tp_stage_spray_blend(const tp_shade *shade, tp_run *run)
 {
     const tp_streaks *d = run->mine;
-    const uint32_t y = (uint32_t)run->y, reach = TP_STREAK_REACH;
+    const uint32_t y = (uint32_t)run->y, reach = d->reach + 1;
     uint32_t band = (y > reach ? y - reach : 0) / TP_STREAK_BAND;
     uint32_t last = (y + reach) / TP_STREAK_BAND;
 
