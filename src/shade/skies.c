@@ -40,7 +40,8 @@ void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith)
 
 /* The height of the view vector is exact at every 32nd column and linear between: the
  * error is below two of the 256 entries at 128 pixels a row, below one at 320.  The view
- * vector points down to the eye: its negative is the height in the sky. */
+ * vector points down to the eye: its negative is the height in the sky.  Columns of one entry
+ * are filled. */
 void tp_stage_sky(const tp_shade *shade, tp_run *run)
 {
     const uint32_t *sky = shade->sky;
@@ -52,6 +53,12 @@ void tp_stage_sky(const tp_shade *shade, tp_run *run)
         int32_t b = tp_vector_to_eye(shade, &shade->world, next, run->y).y;
         int32_t stop = next < end ? next : end;
         int32_t step = a - b, sine = -STEP * a + step * (x - from);     /* Q14 x 32 */
+        const int32_t last = sine + step * (stop - x - 1);
+        if (sine >> 11 == last >> 11) {
+            const uint32_t colour = sky[sine < 0 ? 0 : sine >> 11];
+            for (; x < stop; x++)
+                run->colour[i++] = colour;
+        }
         for (; x < stop; x++, i++, sine += step)
             run->colour[i] = sky[sine < 0 ? 0 : sine >> 11];
         a = b;
