@@ -117,11 +117,12 @@ static void blend_outlines(const tp_frame *frame, const tp_gbuffer *tile, int32_
 
     if (!tile->outline || !outlining->colour_row(frame, tile, y, TP_AT_END, &run))
         return;
-    for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
+    const int32_t end = tile->outline_x1;
+    for (int32_t x = tile->outline_x0; x < end; x += run.count) {
         const int32_t most = TP_RUN - x % TP_RUN;
         run.x = x;
         run.y = y;
-        run.count = most < tile->x1 - x ? most : tile->x1 - x;
+        run.count = most < end - x ? most : end - x;
         memcpy(run.colour, row + x, (size_t)run.count * sizeof *row);
         outlining->blend(tile, &run);
         memcpy(row + x, run.colour, (size_t)run.count * sizeof *row);
