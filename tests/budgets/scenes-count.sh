@@ -7,8 +7,8 @@
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #
 # Without names every scene is counted, in turn exact or at its cheapest rungs; --write and
-# TP_SOAK=1 count both of each. For named scenes the functions are listed too. SCENE+cheap is the scene at the rungs of
-# tests/budgets/cheapest.txt. --write writes a new scenes.csv.
+# TP_SOAK=1 count both of each. For named scenes the functions are listed too. SCENE+cheap
+# is the scene at the rungs of tests/budgets/cheapest.txt. --write writes a new scenes.csv.
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
 

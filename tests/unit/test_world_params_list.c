@@ -164,6 +164,9 @@ static const struct {
     { "quality.rows", "exact", TP_RUNG_EXACT },
     { "quality.rows", "fast", TP_RUNG_FAST },
     { "quality.rows", "pairs", TP_RUNG_PAIRS },
+    { "quality.waves", "auto", TP_RUNG_AUTO },
+    { "quality.waves", "exact", TP_RUNG_EXACT },
+    { "quality.waves", "fast", TP_RUNG_FAST },
 };
 
 enum { WORDS = sizeof words / sizeof words[0] };
