@@ -228,8 +228,11 @@ static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
 
 void tp_frame_begin_grid(tp_frame *frame)
 {
+    const struct tp_draw_fast_triangles *fast = frame->program->draw.fast_triangles;
     tp_grid *grid = frame->buffers.grid;
 
+    frame->draw_cell = fast && frame->scene->quality.triangles == TP_RUNG_FAST
+                           ? fast->draw_cell : tp_cell_water;
     grid->fast = frame->scene->quality.waves == TP_RUNG_FAST ? frame->program->draw.fast_waves
                                                              : NULL;
     tp_grid_place_rows(grid, &frame->grid_view);

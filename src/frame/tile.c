@@ -101,25 +101,40 @@ static bool begin_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
            && tp_frame_outlining(frame)->colour_row(frame, tile, y, TP_AT_END, run);
 }
 
-void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, bool level,
-                        tp_run *run)
+static void run_stages(const tp_frame *frame, const tp_shaders *list, tp_run *run)
 {
-    uint32_t keys[TP_RUN];
-    const uint32_t *const own = run->key;
-
-    if (level && frame->level_keys && TP_MARK(own[0]) == TP_MARK_WATER) {
-        tp_frame_write_level_keys(frame, run->x, run->y, run->count, keys);
-        run->key = keys;
-    }
     for (const tp_shader *s = list->shader; s->stage; s++) {
         run->mine = s->mine;
         s->stage(&frame->shade, run);
     }
+}
+
+/* Shades water by the depth of level water.  The function has a frame of its own, since
+ * programs without fast rows have no stack for the keys. */
+TP_NEVER_INLINE void shade_level_run(const tp_frame *frame, const tp_shaders *list,
+                                     tp_run *run)
+{
+    uint32_t keys[TP_RUN];
+    const uint32_t *const own = run->key;
+
+    tp_frame_write_level_keys(frame, run->x, run->y, run->count, keys);
+    run->key = keys;
+    run_stages(frame, list, run);
     run->key = own;
 }
 
-/* `found`: the rows of a tile drawn alone, or NULL. */
-static void shade_row(const tp_frame *frame, const tp_gbuffer *tile,
+void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, bool level,
+                        tp_run *run)
+{
+    if (level && frame->level_keys && TP_MARK(run->key[0]) == TP_MARK_WATER)
+        shade_level_run(frame, list, run);
+    else
+        run_stages(frame, list, run);
+}
+
+/* `found`: the rows of a tile drawn alone, or NULL.  In its caller the run would take stack
+ * while samples are drawn. */
+TP_NEVER_INLINE void shade_row(const tp_frame *frame, const tp_gbuffer *tile,
                       const tp_water_rows *found, int32_t y, void *row)
 {
     const tp_store store = frame->program->store[frame->config.format];

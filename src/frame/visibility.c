@@ -151,11 +151,7 @@ void tp_frame_place_surface(tp_frame *frame)
 {
     const struct tp_water_renderer *method = chosen_renderer(frame);
 
-    const struct tp_draw_fast_triangles *fast = frame->program->draw.fast_triangles;
-
     TP_ASSERT(frame->visibility != TP_VISIBILITY_AUTO);
-    frame->draw_cell = fast && frame->scene->quality.triangles == TP_RUNG_FAST
-                           ? fast->draw_cell : tp_cell_water;
     if (method)
         method->place(frame);
 }
