@@ -49,7 +49,7 @@ TP_BEGIN_C
  * files must change, PATCH when pictures change. */
 #define TP_VERSION_MAJOR 0
 #define TP_VERSION_MINOR 2
-#define TP_VERSION_PATCH 2
+#define TP_VERSION_PATCH 3
 #define TP_VERSION_DATE  "2026-11-28"
 
 /* The version as one number, to compare in #if: MAJOR 1000000 + MINOR 1000 + PATCH;
