@@ -130,6 +130,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/gates/%.sh,arm clang wide) \
 	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
+	    tests/accuracy/rungs.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
 	    tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \

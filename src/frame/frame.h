@@ -186,8 +186,16 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
  * hulls by it. */
 const tp_shaders *tp_frame_begin_run(const tp_frame *frame, const tp_gbuffer *tile, int32_t x,
                                      int32_t y, bool alike, tp_run *run);
-void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, bool level,
-                        tp_run *run);
+void tp_frame_run_stages(const tp_frame *frame, const tp_shaders *list, tp_run *run);
+void tp_frame_shade_level_run(const tp_frame *frame, const tp_shaders *list, tp_run *run);
+static inline void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list,
+                                      bool level, tp_run *run)
+{
+    if (level && frame->level_keys && TP_MARK(run->key[0]) == TP_MARK_WATER)
+        tp_frame_shade_level_run(frame, list, run);
+    else
+        tp_frame_run_stages(frame, list, run);
+}
 void tp_frame_overlay_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
                           uint32_t *colours);
 

@@ -56,7 +56,7 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile,
 
 /* Returns the number of pixels, up to `limit`, with water both above and below, or without;
  * *both says which. */
-static int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t limit,
+TP_NEVER_INLINE int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t limit,
                            bool *both)
 {
     int32_t n = 1;
@@ -84,7 +84,7 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
                           const tp_water_rows *found, int32_t y)
 {
     const size_t at = row_index(tile, y);
-    const bool last = y + 1 >= tile->y1;
+    const bool last = y + 1 >= tile->y1, alike = is_alike(found, y), level = !found;
     const uint32_t *above = tile->key + at - tile->stride;
     const uint32_t *below = tile->key + at + tile->stride;
     uint32_t *to = tile->n + at;
@@ -93,7 +93,7 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
     for (int32_t x = tile->x0; x < tile->x1; x += run.count) {
         const int32_t i = x - tile->x0;
         const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y,
-                                                    is_alike(found, y), &run);
+                                                    alike, &run);
         bool both = false;
         if (!last && TP_MARK(run.key[0]) == TP_MARK_WATER)
             run.count = count_alike(above + i, below + i, run.count, &both);
@@ -101,7 +101,7 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
             mix(to + i, to + i - tile->stride, to + i + tile->stride, run.count);
             continue;
         }
-        tp_frame_shade_run(frame, list, !found, &run);
+        tp_frame_shade_run(frame, list, level, &run);
         memcpy(to + i, run.colour, (size_t)run.count * sizeof *to);
     }
 }
@@ -129,7 +129,7 @@ static void blend_outlines(const tp_frame *frame, const tp_gbuffer *tile, int32_
     }
 }
 
-static void store_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, void *to)
+TP_NEVER_INLINE void store_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, void *to)
 {
     const int32_t count = tile->x1 - tile->x0;
     uint32_t *colours = tile->n + row_index(tile, y);

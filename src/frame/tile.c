@@ -101,7 +101,7 @@ static bool begin_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, 
            && tp_frame_outlining(frame)->colour_row(frame, tile, y, TP_AT_END, run);
 }
 
-static void run_stages(const tp_frame *frame, const tp_shaders *list, tp_run *run)
+void tp_frame_run_stages(const tp_frame *frame, const tp_shaders *list, tp_run *run)
 {
     for (const tp_shader *s = list->shader; s->stage; s++) {
         run->mine = s->mine;
@@ -109,27 +109,16 @@ static void run_stages(const tp_frame *frame, const tp_shaders *list, tp_run *ru
     }
 }
 
-/* Shades water by the depth of level water.  The function has a frame of its own, since
- * programs without fast rows have no stack for the keys. */
-TP_NEVER_INLINE void shade_level_run(const tp_frame *frame, const tp_shaders *list,
-                                     tp_run *run)
+/* A function of its own: programs without fast rows have no stack for the keys. */
+void tp_frame_shade_level_run(const tp_frame *frame, const tp_shaders *list, tp_run *run)
 {
     uint32_t keys[TP_RUN];
     const uint32_t *const own = run->key;
 
     tp_frame_write_level_keys(frame, run->x, run->y, run->count, keys);
     run->key = keys;
-    run_stages(frame, list, run);
+    tp_frame_run_stages(frame, list, run);
     run->key = own;
-}
-
-void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *list, bool level,
-                        tp_run *run)
-{
-    if (level && frame->level_keys && TP_MARK(run->key[0]) == TP_MARK_WATER)
-        shade_level_run(frame, list, run);
-    else
-        run_stages(frame, list, run);
 }
 
 /* `found`: the rows of a tile drawn alone, or NULL.  In its caller the run would take stack

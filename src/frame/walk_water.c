@@ -116,6 +116,15 @@ typedef struct {
     int64_t at[2], step[2], beyond[2], beyond_step[2];
 } placed_line;
 
+#define WALK_FAR ((int64_t)12000 << 16)        /* m: farther points are on the horizon */
+
+/* Returns a coordinate at most WALK_FAR from the eye's, so that differences fit 16.16. */
+static tp_fx near_eye(const tp_frame *frame, int axis, int64_t at)
+{
+    const tp_fx eye = axis ? frame->projection.eye.z : frame->projection.eye.x;
+    return tp_fx_saturate(eye + tp_clamp_abs(at - eye, WALK_FAR));
+}
+
 /* Waves are kept as if the points were 3/4 as far apart: against triangles at tick 60 that is
  * 28.2 dB in count-64, and 27.9 without. */
 static tp_even_point make_point(const tp_frame *frame, const placed_line *line, int32_t x)
@@ -130,7 +139,7 @@ static tp_even_point make_point(const tp_frame *frame, const placed_line *line, 
     for (int axis = 0; axis < 2; axis++) {
         const int64_t here = line->at[axis] + line->step[axis] * x;
         const int64_t there = line->beyond[axis] + line->beyond_step[axis] * x;
-        place[axis] = tp_fx_saturate(here);
+        place[axis] = near_eye(frame, axis, here);
         step[0][axis] = tp_fx_saturate(line->step[axis] * (CELL * 3 / 4));
         step[1][axis] = tp_fx_saturate((there - here) * 3 >> 2);
     }

@@ -67,7 +67,7 @@ TP_ALWAYS_INLINE void set_plane(const triangle *t, plane *p, int32_t inverse, in
 
     p->dx = (uint32_t)dx;
     p->dy = (uint32_t)dy;
-    p->base = (uint32_t)(p->at + (int32_t)(((int64_t)dx * u + (int64_t)dy * v) >> 4));
+    p->base = (uint32_t)p->at + (uint32_t)(((int64_t)dx * u + (int64_t)dy * v) >> 4);
 }
 
 /* Joins two planes in one word; a borrow of the low half moves the high one by 1. */

@@ -201,16 +201,13 @@ static int16_t packed_slope(tp_fx slope)
     return (int16_t)tp_clamp((slope + 8) >> 4, INT16_MIN, INT16_MAX);
 }
 
-void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
-                         tp_grid_vertex *vertex)
+/* The lists of waves take much stack: not that of the fast functions too. */
+TP_NEVER_INLINE void evaluate_exact_row(const tp_grid *grid, uint32_t j, uint32_t first,
+                                        uint32_t end, tp_grid_vertex *vertex)
 {
     const tp_projection *projection = grid->projection;
     row_waves waves;
 
-    if (grid->fast) {
-        grid->fast->evaluate_row(grid, j, first, end, vertex);
-        return;
-    }
     list_waves(grid, &grid->fan->row[j], &waves);
     for (uint32_t i = first; i < end; i++) {
         const tp_surface_point at = sample(&waves, i);
@@ -226,18 +223,33 @@ void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32
     }
 }
 
-void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
-                               tp_view_vertex *to)
+void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                         tp_grid_vertex *vertex)
+{
+    if (grid->fast)
+        grid->fast->evaluate_row(grid, j, first, end, vertex);
+    else
+        evaluate_exact_row(grid, j, first, end, vertex);
+}
+
+TP_NEVER_INLINE void make_exact_view_vertices(const tp_grid *grid, uint32_t j,
+                                              uint32_t first, uint32_t end,
+                                              tp_view_vertex *to)
 {
     row_waves waves;
 
-    if (grid->fast) {
-        grid->fast->make_view_vertices(grid, j, first, end, to);
-        return;
-    }
     list_waves(grid, &grid->fan->row[j], &waves);
     for (uint32_t i = first; i < end; i++, to++) {
         *to = (tp_view_vertex){ .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
         tp_projection_view_vertex(grid->projection, sample(&waves, i).position, to);
     }
+}
+
+void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                               tp_view_vertex *to)
+{
+    if (grid->fast)
+        grid->fast->make_view_vertices(grid, j, first, end, to);
+    else
+        make_exact_view_vertices(grid, j, first, end, to);
 }

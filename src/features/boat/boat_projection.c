@@ -46,6 +46,7 @@ static void widen(tp_fx *low, tp_fx *high, tp_fx x)
 void tp_boat_view_init(tp_boat_view *b, const tp_mesh *mesh)
 {
     b->mesh = mesh;
+    b->light = NULL;
     b->low = (tp_vec3){ TP_FX_MAX, TP_FX_MAX, TP_FX_MAX };
     b->high = (tp_vec3){ TP_FX_MIN, TP_FX_MIN, TP_FX_MIN };
     for (uint32_t i = 0; i < mesh->n_vertices; i++) {

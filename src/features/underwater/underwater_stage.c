@@ -170,11 +170,12 @@ uint32_t tp_refraction_map_mix(const tp_shade *shade, const tp_planar_map *map,
 /* Shades samples [i, stop) with dispersion.  On entry the beams hold the rays of green,
  * and the floor between the ends is looked up for green.  Red and blue rays end some
  * millimetres aside per metre of depth, where the floor is the same plane. */
-static void shade_dispersed(const tp_shade *shade, const tp_run *run, int32_t i,
-                            int32_t stop, const facet *surface,
-                            const tp_floor_plane ends[2], tp_refracted_ray *ray,
-                            const uint32_t *body, uint32_t *seen)
+static void shade_dispersed(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
+                            const facet *surface, const tp_floor_plane ends[2],
+                            tp_refracted_ray *ray)
 {
+    uint32_t *seen = run->colour + i;
+    const uint32_t *body = run->mirror + i;
     const int32_t count = stop - i;
     tp_ground under[TP_UNDERWATER_ROW];
 
@@ -208,7 +209,7 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
         ends[0] = tp_underwater_find_floor_plane(shade, ray);
         ends[1] = tp_underwater_find_floor_plane(shade, &ray[count - 1]);
         if (dispersed)
-            shade_dispersed(shade, run, i, stop, surface, ends, ray, body, seen);
+            shade_dispersed(shade, run, i, stop, surface, ends, ray);
         else
             tp_underwater_shade_row(shade, ends, ray, count, body, seen);
         for (int32_t k = 0; clear->refraction_map && k < count; k++)
