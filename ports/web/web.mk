@@ -24,8 +24,10 @@ WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% %_stage.c src/raster
 WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
              -mbulk-memory -ffreestanding -ffunction-sections -fdata-sections \
              -Iinclude -Isrc -Iports -Iports/web
+# Cheaper rungs are for boards: here they are small.
+WEB_SMALL := $(foreach o,$(WEB_FAST),$(if $(findstring fast,$(notdir $o))$(filter %/cell.o,$o),$o))
 WEB_OPT  := -Oz -Dalways_inline=
-$(WEB_FAST): WEB_OPT := -Os -msimd128
+$(filter-out $(WEB_SMALL),$(WEB_FAST)): WEB_OPT := -Os -msimd128
 $(WASM)/src/features/all.o: WEB_FLAGS += -DTP_NO_REPORTS
 
 page: $(WEB_PAGE) $(WEB)/module.js $(WEB)/files.js
