@@ -159,33 +159,6 @@ TP_ALWAYS_INLINE const void *tp_keep_pointer(const void *at)
     return at;
 }
 
-/* Stores two words at to[index] and to[index + 1] by one instruction; `index` is a literal. */
-TP_ALWAYS_INLINE void tp_store_pair(uint32_t *to, int index, uint32_t first, uint32_t second)
-{
-#if TP_DSP
-    __asm__("strd %2, %3, [%4, %5]"
-            : "=m"(to[index]), "=m"(to[index + 1])
-            : "r"(first), "r"(second), "r"(to), "i"(4 * index));
-#else
-    to[index] = first;
-    to[index + 1] = second;
-#endif
-}
-
-/* Stores two words at *to and advances *to behind them. */
-TP_ALWAYS_INLINE void tp_store_next_pair(uint32_t **to, uint32_t first, uint32_t second)
-{
-#if TP_DSP
-    __asm__("strd %3, %4, [%0], #8"
-            : "+r"(*to), "=m"((*to)[0]), "=m"((*to)[1])
-            : "r"(first), "r"(second));
-#else
-    (*to)[0] = first;
-    (*to)[1] = second;
-    *to += 2;
-#endif
-}
-
 /* Returns the product of the upper halves + the product of the lower halves +
  * c; the sum wraps. */
 TP_ALWAYS_INLINE int32_t tp_smlad(uint32_t a, uint32_t b, int32_t sum)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Keys of water by the depth of level water, one number a row of pixels if the picture does
  * not roll: what the stages of fast rows and of walked water read. */
+#include "base/word_pairs.h"
 #include "frame/frame.h"
 #include "raster/scanline_cover.h"
 

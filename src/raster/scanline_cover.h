@@ -6,7 +6,7 @@
  * product, doubled.  Rows are 16.16 and at most 2^13 px, so differences stay below 2^31. */
 #ifndef TP_RASTER_SCANLINE_COVER_H
 #define TP_RASTER_SCANLINE_COVER_H
-#include "base/dsp.h"
+#include "base/word_pairs.h"
 #include "raster/raster.h"
 
 #define ROW 65536               /* a row in 16.16 */

@@ -6,12 +6,12 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include <math.h>
 #include <stdio.h>
 #include "features/tank/tank.h"
 #include "frame/frame.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/measure.h"
+#include "tests/lib/picture_difference.h"
 #include "tests/lib/scenes.h"
 
 enum { WIDE = 160, HIGH = 96, PIXELS = WIDE * HIGH };
@@ -75,19 +75,6 @@ static void every_tiling_has_the_same_stone(void **state)
     }
 }
 
-/* Root mean square of the differences of all channels, in levels. */
-static double rms_apart(const uint32_t *a, const uint32_t *b)
-{
-    double sum = 0;
-
-    for (int i = 0; i < PIXELS; i++)
-        for (int k = 0; k < 24; k += 8) {
-            const int off = (int)(a[i] >> k & 255) - (int)(b[i] >> k & 255);
-            sum += off * off;
-        }
-    return sqrt(sum / 3 / PIXELS);
-}
-
 /* The texture is noise, the worst case.  The bound is 1.3 times the largest of 600
  * pictures, 5.4 levels. */
 static void fast_stone_is_near_the_exact_one(void **state)
@@ -100,7 +87,7 @@ static void fast_stone_is_near_the_exact_one(void **state)
         const tp_scene s = stone_scene(n % 2);
         draw(&s, TP_RUNG_FAST, 0, 0, fast);
         draw(&s, TP_RUNG_EXACT, 0, 0, exact);
-        const double apart = rms_apart(fast, exact);
+        const double apart = picture_rms(fast, exact, PIXELS);
         most = apart > most ? apart : most;
         all += apart;
     }

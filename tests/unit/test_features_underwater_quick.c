@@ -13,6 +13,7 @@
 #include "frame/frame.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/measure.h"
+#include "tests/lib/picture_difference.h"
 #include "tests/lib/scenes.h"
 #include "world/pools.h"
 
@@ -133,19 +134,6 @@ static void every_tiling_has_the_same_fast_water(void **state)
     }
 }
 
-/* Root mean square of the differences of all channels, in levels. */
-static double rms_apart(const uint32_t *a, const uint32_t *b)
-{
-    double sum = 0;
-
-    for (int i = 0; i < PIXELS; i++)
-        for (int k = 0; k < 24; k += 8) {
-            const int off = (int)(a[i] >> k & 255) - (int)(b[i] >> k & 255);
-            sum += off * off;
-        }
-    return sqrt(sum / 3 / PIXELS);
-}
-
 /* Textures are noise here, the worst case: neighbouring texels do not resemble each other.
  * The bounds are 1.3 times the largest of 377 pictures of each kind: 11.1, 7.6, 9.3, 8.0 and
  * 7.5 levels. */
@@ -163,8 +151,8 @@ static void fast_water_is_near_the_exact_one(void **state)
         s.quality.shading = TP_SHADING_EXACT;
         s.quality.refraction = TP_RUNG_EXACT;
         assert_false(draw(&s, &assets, world, 0, 0, exact));
-        printf("    kind %d: rms %.2f levels\n", n % KINDS, rms_apart(fast, exact));
-        assert_true(rms_apart(fast, exact) <= bound[n % KINDS]);
+        printf("    kind %d: rms %.2f levels\n", n % KINDS, picture_rms(fast, exact, PIXELS));
+        assert_true(picture_rms(fast, exact, PIXELS) <= bound[n % KINDS]);
         free(world);
     }
 }

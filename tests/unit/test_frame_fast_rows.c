@@ -9,6 +9,7 @@
 #include <math.h>
 #include "frame/frame.h"
 #include "tests/lib/frames.h"
+#include "tests/lib/picture_difference.h"
 #include "tests/lib/scenes.h"
 
 enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT };
@@ -112,17 +113,6 @@ static void solids_stay_in_their_box(void **state)
     assert_true(tiles > 1000);
 }
 
-/* Sums the squares of the differences of all channels. */
-static double squares(const uint32_t *a, const uint32_t *b)
-{
-    double sum = 0;
-
-    for (int i = 0; i < PIXELS; i++)
-        for (int k = 0; k < 24; k += 8)
-            sum += pow((double)(a[i] >> k & 255) - (double)(b[i] >> k & 255), 2);
-    return sum;
-}
-
 static void fast_rows_are_near_triangles(void **state)
 {
     (void)state;
@@ -141,7 +131,7 @@ static void fast_rows_are_near_triangles(void **state)
         scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
         draw(&scene, &none, world, config_of(0, 16, false), exact);
         for (int32_t rung = TP_RUNG_EXACT; rung <= TP_RUNG_PAIRS; rung++)
-            sum[rung] += squares(exact, rows[rung]);
+            sum[rung] += (double)picture_square_sum(exact, rows[rung], PIXELS);
         views++;
         free(world);
     }

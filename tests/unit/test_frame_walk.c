@@ -9,6 +9,7 @@
 #include <math.h>
 #include "frame/frame.h"
 #include "tests/lib/frames.h"
+#include "tests/lib/picture_difference.h"
 #include "tests/lib/scenes.h"
 
 enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT };
@@ -66,17 +67,6 @@ static void every_tiling_gives_the_same_bits(void **state)
     assert_true(walked > 20);
 }
 
-/* Sums the squares of the differences of all channels. */
-static double squares(const uint32_t *a, const uint32_t *b)
-{
-    double sum = 0;
-
-    for (int i = 0; i < PIXELS; i++)
-        for (int k = 0; k < 24; k += 8)
-            sum += pow((double)(a[i] >> k & 255) - (double)(b[i] >> k & 255), 2);
-    return sum;
-}
-
 static void walked_water_is_near_triangles(void **state)
 {
     (void)state;
@@ -91,7 +81,7 @@ static void walked_water_is_near_triangles(void **state)
             continue;
         scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
         draw(&scene, config_of(0, 16, false), exact);
-        sum += squares(walked, exact);
+        sum += (double)picture_square_sum(walked, exact, PIXELS);
         count++;
     }
     const double db = 10 * log10(65025.0 * 3 * PIXELS * count / sum);

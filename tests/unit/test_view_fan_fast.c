@@ -13,6 +13,7 @@
 #include "tests/lib/camera.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/grids.h"
+#include "tests/lib/picture_difference.h"
 #include "tests/lib/scenes.h"
 
 enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT, MOST = 2000 };
@@ -147,19 +148,6 @@ static void draw(const tp_scene *scene, const tp_world *world, uint32_t wide, ui
     frame_free(&f);
 }
 
-/* Returns the sum of the squared differences of all channels. */
-static uint64_t squares(const uint32_t *a, const uint32_t *b)
-{
-    uint64_t sum = 0;
-
-    for (size_t i = 0; i < PIXELS; i++)
-        for (int k = 0; k < 24; k += 8) {
-            const int32_t d = (int32_t)(a[i] >> k & 255) - (int32_t)(b[i] >> k & 255);
-            sum += (uint64_t)(d * d);
-        }
-    return sum;
-}
-
 static tp_scene scene_of_waves(int n)
 {
     tp_scene s = scene_plain();
@@ -189,7 +177,7 @@ static void tiles_change_no_pixel(void **state)
         draw(&scene, world, 0, HEIGHT, whole);
         draw(&scene, world, n % 3 ? 32 : 0, n % 2 ? 16 : 13, other);
         assert_memory_equal(other, whole, sizeof whole);
-        sum += squares(exact, whole);
+        sum += picture_square_sum(exact, whole, PIXELS);
         free(world);
     }
     const uint64_t mean = sum * 100 / (24 * 3 * (uint64_t)PIXELS);

@@ -66,17 +66,18 @@ TP_ALWAYS_INLINE uint32_t packed_upsample_add_glints_four(
     const uint32_t *lobe, uint32_t half_vector, tp_quick_walk walk, uint32_t *colour,
     uint32_t first_even, uint32_t second_even, uint32_t next_even)
 {
-    const word_pair s = pair_load(colour, SLOPES), t = pair_load(colour, SLOPES + 2);
+    const tp_word_pair s = tp_load_pair(colour, SLOPES);
+    const tp_word_pair t = tp_load_pair(colour, SLOPES + 2);
     const uint32_t second = tp_sadd16(half_vector, walk.quarter);
     const uint32_t third = tp_sadd16(second, walk.quarter);
     const uint32_t fourth = tp_sadd16(third, walk.quarter);
 
-    pair_store(colour, 0, packed_add_blinn_glint(lobe, s.first, half_vector, first_even),
-               packed_add_blinn_glint(lobe, s.second, second,
-                                      tp_uhadd8(first_even, second_even)));
-    pair_store(colour, 2, packed_add_blinn_glint(lobe, t.first, third, second_even),
-               packed_add_blinn_glint(lobe, t.second, fourth,
-                                      tp_uhadd8(second_even, next_even)));
+    tp_store_pair(colour, 0, packed_add_blinn_glint(lobe, s.first, half_vector, first_even),
+                  packed_add_blinn_glint(lobe, s.second, second,
+                                         tp_uhadd8(first_even, second_even)));
+    tp_store_pair(colour, 2, packed_add_blinn_glint(lobe, t.first, third, second_even),
+                  packed_add_blinn_glint(lobe, t.second, fourth,
+                                         tp_uhadd8(second_even, next_even)));
     return tp_sadd16(fourth, walk.rest);
 }
 

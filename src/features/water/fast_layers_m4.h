@@ -32,10 +32,11 @@ TP_ALWAYS_INLINE uint32_t packed_texel(const tp_lookup *l, uint32_t s, uint32_t 
 TP_ALWAYS_INLINE void packed_write_texel_pair(const tp_lookup *l, const uint32_t *place,
                                               uint32_t *colour, int index)
 {
-    const word_pair s = pair_load(place, index), t = pair_load(place, index + TP_RUN);
+    const tp_word_pair s = tp_load_pair(place, index);
+    const tp_word_pair t = tp_load_pair(place, index + TP_RUN);
 
-    pair_store(colour, index, packed_texel(l, s.first, t.first),
-               packed_texel(l, s.second, t.second));
+    tp_store_pair(colour, index, packed_texel(l, s.first, t.first),
+                  packed_texel(l, s.second, t.second));
 }
 
 TP_LOOP packed_write_texels(const tp_quick_map *map, int32_t mip_offset,
@@ -57,12 +58,13 @@ TP_LOOP packed_write_texels(const tp_quick_map *map, int32_t mip_offset,
 TP_ALWAYS_INLINE void packed_add_texel_pair(const tp_lookup *l, const uint32_t *place,
                                             uint32_t *colour, int index)
 {
-    const word_pair s = pair_load(place, index), t = pair_load(place, index + TP_RUN);
+    const tp_word_pair s = tp_load_pair(place, index);
+    const tp_word_pair t = tp_load_pair(place, index + TP_RUN);
     uint32_t a = packed_texel(l, s.first, t.first);
     uint32_t b = packed_texel(l, s.second, t.second);
-    const word_pair c = pair_load(colour, index);
+    const tp_word_pair c = tp_load_pair(colour, index);
 
-    pair_store(colour, index, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
+    tp_store_pair(colour, index, tp_uqadd8(c.first, a), tp_uqadd8(c.second, b));
 }
 
 TP_LOOP packed_add_texels(const tp_quick_map *map, int32_t mip_offset,
@@ -107,13 +109,13 @@ TP_ALWAYS_INLINE void packed_distort_place(const tp_lookup *l, uint32_t s, uint3
 TP_ALWAYS_INLINE void packed_distort_pair(const tp_lookup *l, const uint32_t **s,
                                           const uint32_t **t, uint32_t *place, int index)
 {
-    const word_pair ss = pair_next(s), tt = pair_next(t);
+    const tp_word_pair ss = tp_load_next_pair(s), tt = tp_load_next_pair(t);
     uint32_t off = packed_texel(l, ss.first, tt.first), off_t = off << 16;
 
-    pair_store(place, index, packed_add_offset_s(ss.first, off),
-               packed_add_offset_s(ss.second, off));
-    pair_store(place, index + TP_RUN, packed_add_offset_t(tt.first, off_t),
-               packed_add_offset_t(tt.second, off_t));
+    tp_store_pair(place, index, packed_add_offset_s(ss.first, off),
+                  packed_add_offset_s(ss.second, off));
+    tp_store_pair(place, index + TP_RUN, packed_add_offset_t(tt.first, off_t),
+                  packed_add_offset_t(tt.second, off_t));
 }
 
 TP_LOOP packed_distort_places(const tp_quick_map *map, int32_t mip_offset,
@@ -154,9 +156,9 @@ TP_LOOP packed_distort_even_places(const tp_quick_map *map, int32_t mip_offset,
     const uint32_t *end = place + (count >> 2 << 1);
     for (; place != end; place += 2, s += 4, t += 4) {
         const uint32_t a = packed_texel(&l, s[0], t[0]), b = packed_texel(&l, s[2], t[2]);
-        pair_store(place, 0, packed_add_offset_s(s[0], a), packed_add_offset_s(s[2], b));
-        pair_store(place, TP_RUN, packed_add_offset_t(t[0], a << 16),
-                   packed_add_offset_t(t[2], b << 16));
+        tp_store_pair(place, 0, packed_add_offset_s(s[0], a), packed_add_offset_s(s[2], b));
+        tp_store_pair(place, TP_RUN, packed_add_offset_t(t[0], a << 16),
+                      packed_add_offset_t(t[2], b << 16));
     }
     if (count & 3)
         packed_distort_place(&l, s[0], t[0], place);
@@ -171,12 +173,12 @@ TP_ALWAYS_INLINE void packed_add_ripple_slope_pair(const tp_lookup *l, const uin
                                                    const uint32_t **wave_slope,
                                                    uint32_t *sum, int index)
 {
-    const word_pair ss = pair_next(s), tt = pair_next(t);
+    const tp_word_pair ss = tp_load_next_pair(s), tt = tp_load_next_pair(t);
     uint32_t a = packed_texel(l, ss.first, tt.first);
     uint32_t b = packed_texel(l, ss.second, tt.second);
-    const word_pair nn = pair_next(wave_slope);
+    const tp_word_pair nn = tp_load_next_pair(wave_slope);
 
-    pair_store(sum, index, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
+    tp_store_pair(sum, index, tp_qadd16(nn.first, a), tp_qadd16(nn.second, b));
 }
 
 TP_LOOP packed_add_ripple_slopes(const tp_quick_map *map, int32_t mip_offset,
@@ -201,12 +203,12 @@ TP_LOOP packed_upsample_colours(const uint32_t *half_rate, uint32_t *colour, int
 
     for (; half_rate != end; half_rate += 2, colour += 4) {
         uint32_t b = half_rate[1], c = half_rate[2];
-        pair_store(colour, 0, a, tp_uhadd8(a, b));
-        pair_store(colour, 2, b, tp_uhadd8(b, c));
+        tp_store_pair(colour, 0, a, tp_uhadd8(a, b));
+        tp_store_pair(colour, 2, b, tp_uhadd8(b, c));
         a = c;
     }
     if (pairs & 1)
-        pair_store(colour, 0, a, tp_uhadd8(a, half_rate[1]));
+        tp_store_pair(colour, 0, a, tp_uhadd8(a, half_rate[1]));
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Fast shading of water: layers, ripples, light, the reflected sky and glints.  This header
- * has packed pairs, baked textures, tables of light, and the stepped view.
+ * has baked textures, tables of light, and the stepped view.
  *
  *     fast_water_drawing.c   its shader list, and a frame's baked textures
  *     fast_water_tables.c    bakes textures, for frames and for `tidepool bake`
@@ -14,63 +14,11 @@
 #ifndef TP_FEATURES_WATER_FAST_SHADING_H
 #define TP_FEATURES_WATER_FAST_SHADING_H
 #include "base/base.h"
-#include "base/dsp.h"
+#include "base/word_pairs.h"
 #include "fixed/arithmetic.h"
 #include "shade/shade.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
-
-/* -- pairs of words ------------------------------------------------------------------ */
-
-/* Loads and stores of two words by one instruction (ldrd, strd): any two registers, word
- * alignment. */
-
-typedef struct {
-    uint32_t first, second;
-} word_pair;
-
-/* Loads from[index] and from[index + 1]; `word_index` is a literal. */
-TP_ALWAYS_INLINE word_pair pair_load(const uint32_t *from, int word_index)
-{
-    word_pair p;
-#if TP_DSP
-    __asm__("ldrd %0, %1, [%2, %3]"
-            : "=r"(p.first), "=r"(p.second)
-            : "r"(from), "i"(4 * word_index), "m"(from[word_index]),
-              "m"(from[word_index + 1]));
-#else
-    p.first = from[word_index];
-    p.second = from[word_index + 1];
-#endif
-    return p;
-}
-
-/* Loads two words and advances *from behind them. */
-TP_ALWAYS_INLINE word_pair pair_next(const uint32_t **from)
-{
-    word_pair p;
-#if TP_DSP
-    __asm__("ldrd %0, %1, [%2], #8" : "=&r"(p.first), "=&r"(p.second), "+r"(*from)
-            : "m"((*from)[0]), "m"((*from)[1]));
-#else
-    p.first = (*from)[0];
-    p.second = (*from)[1];
-    *from += 2;
-#endif
-    return p;
-}
-
-/* Stores to[index] and to[index + 1]; `index` is a literal. */
-TP_ALWAYS_INLINE void pair_store(uint32_t *to, int index, uint32_t first, uint32_t second)
-{
-#if TP_DSP
-    __asm__("strd %2, %3, [%4, %5]" : "=m"(to[index]), "=m"(to[index + 1])
-            : "r"(first), "r"(second), "r"(to), "i"(4 * index));
-#else
-    to[index] = first;
-    to[index + 1] = second;
-#endif
-}
 
 /* -- baked textures ------------------------------------------------------------------ */
 
