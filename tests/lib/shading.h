@@ -265,13 +265,15 @@ typedef struct {
                        + (TP_QUICK_LEVELS - 1) * TP_QUICK_ROUGH_COLUMNS
                              * TP_QUICK_ROUGH_HEIGHTS];
     tp_filtered_waves filtered;
+    uint32_t beyond;            /* of tp_env, for a cube */
 } quick_lights;
 
-/* A sky colour that varies slowly with the direction. */
+/* A sky colour that varies slowly with the direction; in the south beyond white. */
 static inline uint32_t quick_smooth(ref_dir d, void *with)
 {
     (void)with;
-    return (uint32_t)(128 + 100 * d.x) << 16 | (uint32_t)(128 + 100 * d.y) << 8
+    return (uint32_t)(d.z > 0.5 ? 300 * (d.z - 0.5) : 0) << 24
+         | (uint32_t)(128 + 100 * d.x) << 16 | (uint32_t)(128 + 100 * d.y) << 8
          | (uint32_t)(128 + 100 * d.z);
 }
 
@@ -286,7 +288,7 @@ static inline tp_shade quick_rough_shade(quick_lights *kept, int env, int lobe,
         sky_dome(&kept->sky, &s, state);
     if (env == TP_ENV_CUBE)
         sky_cube(&kept->sky, &s, quick_smooth, NULL);
-    s.env.beyond = 0;
+    s.env.beyond = env == TP_ENV_CUBE ? kept->beyond : 0;
     s.per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)s.focal);
     s.env.least = lobe == TP_LOBE_NONE ? 0 : TP_DISC_END;
     const tp_fx shininess = chance_int(state, 10, 200) * TP_FX_ONE;

@@ -59,6 +59,7 @@ typedef struct {
 static void unlit_make(unlit *u, int n, int32_t steep)
 {
     u->by = &all[n % ALL];
+    lights.beyond = n / ALL / 2 % 2 ? 0 : 1024;
     u->shade = quick_rough_shade(&lights, u->by->env, u->by->lobe,
                                  chance_int(&chance, 0, 1) ? TP_QUICK_LEVELS : 1, &chance);
     quick_run(&u->r, u->slope, steep, &chance);

@@ -33,11 +33,14 @@ static const bodies all[] = {
 };
 enum { ALL = sizeof all / sizeof *all };
 
+#define BEYOND 1024             /* four whites more at the largest alpha */
+
 static void both_bodies_have_the_same_bits(void **state)
 {
     (void)state;
     for (int n = 0; n < 4000; n++) {
         const bodies *b = &all[n % ALL];
+        lights.beyond = n / ALL / 2 % 2 ? 0 : BEYOND;
         const tp_shade s = quick_rough_shade(&lights, b->env, b->lobe,
                                              n % 3 ? TP_QUICK_LEVELS : 1,
                                              &chance);
@@ -87,7 +90,7 @@ static void exact(const bodies *b, const tp_shade *s, tp_run *run)
         tp_stage_reflect_cube(s, run);
     else
         tp_stage_reflect_gradient(s, run);
-    tp_stage_fresnel(s, run);
+    (s->env.beyond ? tp_stage_fresnel_hdr : tp_stage_fresnel)(s, run);
     if (b->lobe != TP_LOBE_NONE)
         tp_stage_glint(s, run);
 }
@@ -154,6 +157,10 @@ static void domes_and_cubes_keep_their_colours(void **state)
     assert_true(compare(dome, "dome, 0.3", 1229, false) < 4.5);
     assert_true(compare(cube, "cube, 0.1", 410, false) < 1.5);
     assert_true(compare(cube, "cube, 0.3", 1229, false) < 4);
+    lights.beyond = BEYOND;
+    assert_true(compare(cube, "beyond white, 0.1", 410, false) < 2);
+    assert_true(compare(cube, "beyond white, 0.3", 1229, false) < 6.5);
+    lights.beyond = 0;
 }
 
 static void glints_lie_where_they_lay(void **state)

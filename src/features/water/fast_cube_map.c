@@ -32,7 +32,7 @@ static int choose_level(const tp_texture *face)
 }
 
 /* Fills a cell of the map of a cube, which holds the light from the direction opposite to
- * its place: (x, y, z), Q14. */
+ * its place: (x, y, z), Q14.  Alpha is light beyond white, 0 in a scene without HDR. */
 static void fill_cell(struct tp_quick_light *quick, const tp_shade *shade, int32_t u,
                       int32_t v, int32_t x, int32_t y, int32_t z)
 {
@@ -40,7 +40,8 @@ static void fill_cell(struct tp_quick_light *quick, const tp_shade *shade, int32
     const int32_t at = (v >> 10) * TP_QUICK_SIDE + (u >> 10)
                      + TP_QUICK_SIDE * TP_QUICK_SIDE / 2 + TP_QUICK_SIDE / 2;
 
-    quick->sky[at] = tp_env_cube(shade, choose_level(face), x, y, z) & 0xffffff;
+    quick->sky[at] = tp_env_cube(shade, choose_level(face), x, y, z)
+                   & (shade->env.beyond ? 0xffffffff : 0x00ffffff);
 }
 
 /* Cells whose places differ by signs or by order have the same height. */

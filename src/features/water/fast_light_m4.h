@@ -43,7 +43,10 @@ TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const tp_quick_rough *rough,
     uint32_t rb = tp_even_bytes(colour) * keeps + tp_even_bytes(light) * mirrors;
     uint32_t g = tp_odd_bytes(colour) * keeps + tp_odd_bytes(light) * mirrors;
 
-    return tp_halves_add_odd_bytes(g & 0xff00ff00, rb);
+    colour = tp_halves_add_odd_bytes(g & 0xff00ff00, rb);
+    return env == TP_ENV_CUBE && light >> 24
+               ? tp_quick_add_beyond(colour, light, mirrors, rough->beyond)
+               : colour;
 }
 
 /* Adds the glint of one column. */

@@ -43,6 +43,7 @@ typedef struct {
     const uint32_t *restrict sky, *restrict shares, *restrict lobes;
     tp_quick_sun sun;
     int32_t least, lx, lz;
+    uint32_t beyond;
 } plain_tables;
 
 TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t level)
@@ -53,7 +54,7 @@ TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t l
 
     return (plain_tables){
         quick->sky, rough->share, rough->lobe, sun, rough->least, tp_high16(sun.back),
-        tp_low16(sun.back),
+        tp_low16(sun.back), rough->beyond,
     };
 }
 
@@ -103,8 +104,12 @@ TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_c
     tp_quick_sun sun = tp_quick_sun_seen(t->sun, tp_high16(water));
     uint32_t share = t->shares[tp_usat(c.n, 18, 8)];
     uint32_t lit = (uint32_t)(sun.ambient + sun.direct * tp_usat(c.l, 18, 8));
+    uint32_t light = t->sky[place], mirrors = share & 0xffff;
 
-    return plain_mixed(colour, t->sky[place], lit * (share >> 16) >> 16, share & 0xffff);
+    colour = plain_mixed(colour, light, lit * (share >> 16) >> 16, mirrors);
+    return env == TP_ENV_CUBE
+               ? tp_quick_add_beyond(colour, light, mirrors, t->beyond)
+               : colour;
 }
 
 TP_ALWAYS_INLINE uint32_t plain_add_phong_glint(const plain_tables *t, plain_column c,

@@ -283,6 +283,7 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
         const rough_level level = rough_level_make(shade, k, least);
         tp_quick_rough *rough = &quick->rough[k];
         rough->least = k == 0 || cube ? least << 12 : 0;
+        rough->beyond = shade->env.beyond;
         fill_fresnel_by_view_cosine(rough, shade, &level);
         fill_lobe(rough, shade, lobe, specular, &level);
         if (k > 0 && !cube)

@@ -16,6 +16,7 @@
 #include "base/base.h"
 #include "base/word_pairs.h"
 #include "fixed/arithmetic.h"
+#include "shade/colour.h"
 #include "shade/shade.h"
 #include "shade/slope.h"
 #include "tidepool/modules.h"
@@ -126,8 +127,8 @@ typedef struct {
  *
  * Errors against the exact stages, rms in 1/255, for random slopes up to 0.1, 0.3 and
  * 0.6, as printed by tests/unit/test_features_water_quick_light.c: matt water and a
- * gradient 0.7, 3.1, 6.7; a dome 1.3, 3.3; a cube 1.0, 3.0; with glints of Phong 1.3,
- * 3.5, of Blinn 1.5, 7.
+ * gradient 0.7, 3.1, 6.7; a dome 1.3, 3.3; a cube 1.0, 3.0, with light beyond white 1.6,
+ * 5.4; with glints of Phong 1.3, 3.5, of Blinn 1.5, 7.
  *
  * Variance of slopes that a fan's cells and the ripples' levels do not show (MODELS V)
  * widens the lobe, bends N.V for Fresnel's share and the mirrored height, and lowers that
@@ -143,7 +144,7 @@ typedef struct {
 #define TP_QUICK_STEP(lobe) ((lobe) == TP_LOBE_PHONG ? 2 : 4)       /* columns per step */
 #define TP_QUICK_SPAN(lobe) (8 * TP_QUICK_STEP(lobe))
 #define TP_QUICK_VIEWS  64      /* heights of the vector to the eye */
-#define TP_QUICK_KEY    18
+#define TP_QUICK_KEY    19
 #define TP_QUICK_SIDE   32      /* side of the map of a cube's sky */
 #define TP_QUICK_LEVELS 4       /* levels of roughness, of a scene with a fan; else 1 */
 
@@ -153,6 +154,7 @@ typedef enum { TP_LOBE_NONE, TP_LOBE_PHONG, TP_LOBE_BLINN } tp_lobe;
 typedef struct {
     uint32_t share[TP_QUICK_SHARES];    /* 1/256: kept by the water; mirrored */
     uint32_t lobe[TP_QUICK_LOBE];       /* colours */
+    uint32_t beyond;            /* of tp_env: scale of a cube's light beyond white */
     int32_t  least;             /* lower bound of n, Q26 */
     int8_t   shift[TP_QUICK_VIEWS];     /* entries of the sky by Vy, from 0 to 1 */
 } tp_quick_rough;
@@ -196,6 +198,15 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
 
 /* fast_cube_map.c: fills the map of a cube's light. */
 void tp_quick_fill_cube_map(struct tp_quick_light *quick, const tp_shade *shade);
+
+/* Adds the part beyond white of mirrored light [F8]; light: of the cube's map; mirrors: share
+ * of 256; beyond: of tp_env. */
+TP_ALWAYS_INLINE uint32_t tp_quick_add_beyond(uint32_t colour, uint32_t light,
+                                              uint32_t mirrors, uint32_t beyond)
+{
+    const uint32_t gain = (light >> 24) * beyond >> 8;      /* 1/256 */
+    return tp_colour_add(colour & 0xffffff, tp_colour_brighten(light, gain * mirrors >> 8));
+}
 
 /* fast_layers_stage.c.  Fills the colours of odd columns from the even columns. */
 void tp_quick_odd_fill(tp_run *run);

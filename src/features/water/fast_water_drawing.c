@@ -198,6 +198,7 @@ static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, boo
         dome ? (int32_t)tp_quick_share_at_sun(shade) : 0, dome ? scene->sky.sun : 0,
         (int32_t)shade->env.least, (int32_t)levels << 1 | ripples,
         levels > 1 ? (int32_t)tp_quick_ripple_variance(shade) : 0,
+        (int32_t)shade->env.beyond,
     };
     memcpy(key, numbers, sizeof numbers);
 }

@@ -130,8 +130,8 @@ static void set_reflectance_traits(const tp_module_conditions *conditions,
 /* -- fast shading -------------------------------------------------------------------- */
 
 /* True if the plan may choose fast shading: the scene has only what its prices were
- * measured with.  Fast stages do not reflect light beyond white; smooth water shows the
- * cells of a dome or a cube. */
+ * measured with: no light beyond white, and ripples, since smooth water shows the cells of
+ * a dome or a cube. */
 static bool is_priced(const tp_module_conditions *conditions)
 {
     const bool sky = conditions->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
