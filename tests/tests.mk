@@ -95,16 +95,23 @@ quick-tests: quick
 # -- make test-all ---------------------------------------------------------------------
 
 # Tests run under the sanitizers, except: those of errors, of stability and others that take
-# longest are sanitized in the soak only; threads have a test of their own. The second copy
+# longest, most of them for comparing the bits of tilings and of two bodies, are sanitized in
+# the soak only; threads have a test of their own. The second copy
 # of the pixel loops is compiled with light optimisation, and sanitized only where its
 # source differs from the first copy.
 SAN     := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
            V3_OPT='-O1 -march=x86-64-v3' V3_SAME_OPT=-fno-sanitize=all \
            TESTS_OPT=-O0 CHECKED=1
-SAN_UNIT := $(filter-out $(BUILD)/tests/accuracy/% $(BUILD)/tests/stability/% \
-               $(addprefix %/test_, app_overlay features_water_quick_even \
-               features_water_quick_light quality_fixed_cost quality_plan rows threads \
-               undo),$(UNIT))
+SAN_SOAK := $(filter $(BUILD)/tests/accuracy/% $(BUILD)/tests/stability/% \
+               $(addprefix %/test_, app_overlay compare component_search \
+               features_drops_drawing features_statements features_tank \
+               features_water_quick_even features_water_quick_layers \
+               features_water_quick_light fixed_decimal frame_fan frame_fan_detail \
+               frame_fan_kept frame_fast_rows frame_history frame_mirror frame_samples \
+               frame_scanline_grid frame_screen_grid frame_small lcd_paper mesh_found \
+               pool_flux_gears quality_fixed_cost quality_plan raster_cell rows stopwatch \
+               undo world_water_sample_pick),$(UNIT))
+SAN_UNIT := $(filter-out $(SAN_SOAK) %/test_threads,$(UNIT))
 sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO) $(REPLAY)
 at_san   = $(patsubst $(BUILD)/%,build/san/%,$1)
 
@@ -134,7 +141,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
 	    tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \
-	    $(filter-out $(SAN_UNIT) $(SLOW),$(UNIT)) $(call at_san,$(GOLDEN)) tests/gates/host.sh \
+	    $(filter-out $(SAN_UNIT) $(SLOW) $(QUICK),$(UNIT)) $(call at_san,$(GOLDEN)) \
+	    tests/gates/host.sh \
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape \
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count) \
@@ -156,8 +164,7 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/budgets/%.sh,prices models-count) \
 	    $(patsubst %,tests/host/%.sh,threads saves generators); scripts=$$?; \
 	$(SOAK) TP_BUILD=build/san tests/run.sh build/log/soak-sanitized \
-	    $(call at_san,$(filter $(BUILD)/tests/stability/% $(BUILD)/tests/accuracy/%, \
-            $(UNIT)) $(MORE_ROUNDS)) && exit $$scripts
+	    $(call at_san,$(sort $(SAN_SOAK) $(MORE_ROUNDS))) && exit $$scripts
 fuzzers: $(FUZZ)
 list-tests:
 	@for test in $(patsubst $(BUILD)/%,%,$(UNIT) $(GOLDEN)) $(LEFT_OUT); do \

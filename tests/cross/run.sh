@@ -8,11 +8,14 @@
 # sanitized at -O1. Asserts are on except at -O3, whose frames are those of a release.
 #
 # -O2 draws all pixel formats, the other levels only xrgb8888. LTO is gcc with -O2 -flto,
-# which compiles the whole core again for each scene: LTO draws two scenes.
+# which compiles the whole core again for each scene: LTO draws two scenes. Without TP_SOAK
+# -O3 draws few scenes, those of exact and of fast rungs with most features.
 . "$(dirname "$0")/../lib/script.sh"
 
 scenes=$(build -s list-cross)
 scenes_of_lto='three-swells rolled'
+scenes_of_o3=${TP_SOAK:+$scenes}
+scenes_of_o3=${scenes_of_o3:-three-swells shore-break tank fast-beach fast-lines fast-swells}
 
 # name | GNU triple | emulator | Debian's name of the machine | levels of gcc, of clang
 all='O0 O1 Os O2 O3 LTO'
@@ -36,10 +39,17 @@ frames_at()     # LEVEL: the golden frames drawn at that level
 {
     case $1 in
     O2)  cat "$scratch/expected" ;;
-    LTO) for scene in $scenes_of_lto; do
+    *)   for scene in $(scenes_at "$1"); do
              grep "^$scene xrgb8888" "$scratch/expected"
          done | sort ;;
-    *)   grep xrgb8888 "$scratch/expected" ;;
+    esac
+}
+scenes_at()     # LEVEL
+{
+    case $1 in
+    LTO) echo $scenes_of_lto ;;
+    O3)  echo $scenes_of_o3 ;;
+    *)   echo $scenes ;;
     esac
 }
 draw()          # FOLDER FRAMES: draws them with FOLDER's programs, one scene a core
@@ -57,17 +67,17 @@ check "there are golden frames to compare with" test -s "$scratch/expected"
 try()
 {
     target=cross/$1-$2-$3
-    baked=$1 ar=${triple:+$triple-}ar opt=-$3 goals=frames begun=$(date +%s)
+    baked=$1 ar=${triple:+$triple-}ar opt=-$3 goals= begun=$(date +%s)
     case $2 in
     gcc)   cc=${triple:+$triple-}gcc ;;
     clang) cc="clang${triple:+ --target=$triple -isystem /usr/$triple/include}" ;;
     esac
     if [ "$3" = LTO ]; then             # LTO objects have a format of their own
-        baked=$1-lto ar=${triple:+$triple-}gcc-ar opt='-O2 -flto' goals=
-        for scene in $scenes_of_lto; do
-            goals="$goals build/$target/tests/cross/frames-$scene"
-        done
+        baked=$1-lto ar=${triple:+$triple-}gcc-ar opt='-O2 -flto'
     fi
+    for scene in $(scenes_at "$3"); do
+        goals="$goals build/$target/tests/cross/frames-$scene"
+    done
     if ! alone build TARGET="$target" MACHINE="$baked" CC="$cc" AR="$ar" OPT="$opt" \
         CHECKED="${3#O3}" LDFLAGS="${triple:+-static}" $goals >"$scratch/log" 2>&1; then
         tail -n 5 "$scratch/log"
