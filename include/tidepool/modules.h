@@ -187,7 +187,7 @@ typedef struct {
     P(glass)        /* a tank's glass walls */ \
     X(lids)         /* lids of a boat: keep the water out of its hull */ \
     P(caustics)     /* light focused by waves on the floor */ \
-    P(mirror)       /* planar reflection of objects, half the picture's size */ \
+    P(mirror)       /* planar reflection of objects, of mirror.size */ \
     X(object_cube)  /* reflection of objects as a small cube map */ \
     X(refraction)   /* objects under clear water */ \
     X(clear_water)  /* the colours seen through the water */ \

@@ -278,7 +278,7 @@ typedef enum { TP_SKY_GRADIENT, TP_SKY_DAY, TP_SKY_DUSK, TP_SKY_NIGHT, TP_SKY_CU
 typedef enum { TP_EXPOSURE_FIXED, TP_EXPOSURE_AUTO } tp_exposure_mode;
 typedef enum { TP_FRESNEL_TABLE, TP_FRESNEL_SCHLICK } tp_fresnel_rule;
 typedef enum { TP_MIRROR_NONE, TP_MIRROR_STENCIL, TP_MIRROR_CUBE } tp_mirror_kind;
-typedef enum { TP_MIRROR_HALF, TP_MIRROR_QUARTER } tp_mirror_size;
+typedef enum { TP_MIRROR_HALF, TP_MIRROR_QUARTER, TP_MIRROR_FULL } tp_mirror_size;
 typedef enum { TP_TANK_NONE, TP_TANK_STONE, TP_TANK_GLASS } tp_tank_kind;
 
 typedef enum {

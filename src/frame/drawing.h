@@ -108,8 +108,8 @@ void tp_clipped_draw(const tp_projection *projection, const tp_view_plane *level
 /* -- planar maps: render_view.c ------------------------------------------------------ */
 
 /*
- * Pictures of half or a quarter of the picture's size, sampled by the water's stages.  Maps
- * are drawn before any tile, a few rows at a time to keep the G-buffer small.
+ * Pictures of the picture's size, half or a quarter of it, sampled by the water's stages.
+ * Maps are drawn before any tile, a few rows at a time to keep the G-buffer small.
  */
 
 #define TP_PLANAR_BAND 4        /* rows drawn at a time */
@@ -118,7 +118,7 @@ typedef struct {
     uint32_t *colour;
     uint32_t *samples;          /* G-buffer of one band: four planes, cols wide */
     uint32_t  cols, rows;
-    uint32_t  halvings;         /* halvings of the picture's sides: 1 or 2 */
+    uint32_t  halvings;         /* of the picture's sides, as of a tp_planar_map */
 } tp_planar_memory;
 
 /* Allocates the map's memory; pointers are NULL if the arena only counts. */

@@ -117,7 +117,7 @@ bool tp_planar_set_bounds(const tp_planar_memory *store, const tp_grid_box *box,
     *map = (tp_planar_map){
         store->colour, tp_clamp(box->x0, 0, cols), tp_clamp(box->y0, 0, rows),
         tp_clamp(box->x1 + 1, 0, cols), tp_clamp(box->y1 + 1, 0, rows),
-        (int32_t)store->halvings - 1,
+        (int32_t)store->halvings,
     };
     if (map->x0 < map->x1 && map->y0 < map->y1)
         return true;

@@ -181,14 +181,13 @@ typedef struct {
     const uint8_t *gloss;       /* TP_GLOSS entries */
 } tp_solid;
 
-/* A planar map: a picture at half the picture's resolution, drawn before any tile, that
- * the water's stages sample.  0xAARRGGBB; alpha is the coverage.  Map pixel (i, j) stands
- * for the picture's pixels 2 i, 2 i + 1 and 2 j, 2 j + 1.  A map of quarter resolution
- * (coarser = 1) is sampled at halved positions. */
+/* A planar map: a picture drawn before any tile, that the water's stages sample.
+ * 0xAARRGGBB; alpha is the coverage.  With s = 2^halvings, 1, 2 or 4, map pixel (i, j)
+ * stands for the picture's pixels s i .. s i + s - 1 and s j .. s j + s - 1. */
 typedef struct {
     const uint32_t *colour;     /* row-major from (x0, y0); NULL: empty map */
     int32_t x0, y0, x1, y1;     /* box in map pixels, x1 and y1 excluded */
-    int32_t coarser;            /* 1: map of quarter resolution */
+    int32_t halvings;           /* of the picture's sides: 0, 1 or 2 */
 } tp_planar_map;
 
 #define TP_SHINE 1024           /* entries of the lobe's table over 0..1 */
@@ -334,7 +333,13 @@ static inline int32_t tp_mip_level_choose(int32_t lod, int32_t log_depth, bool g
     return tp_clamp(level >> 8, 0, levels - 1);
 }
 
-/* -- bilinear look-up in a planar map of half the picture's size --------------------- */
+/* -- bilinear look-up in a planar map ------------------------------------------------ */
+
+/* Returns a position in the map, in 32nds of its pixels, from one in the picture, 28.4. */
+static inline int32_t tp_planar_map_position(const tp_planar_map *map, int32_t sixteenths)
+{
+    return 2 * sixteenths >> map->halvings;
+}
 
 /* Returns a pixel of the map; 0 outside of the map's box. */
 static inline uint32_t tp_planar_map_pixel(const tp_planar_map *map, int32_t i, int32_t j)
@@ -345,7 +350,7 @@ static inline uint32_t tp_planar_map_pixel(const tp_planar_map *map, int32_t i, 
                         * (uint32_t)(map->x1 - map->x0) + (uint32_t)(i - map->x0)];
 }
 
-/* True if no sample at a column u, 28.4 of the whole picture, reaches the map. */
+/* True if no sample at position u of the map reaches it. */
 static inline bool tp_planar_map_misses_column(const tp_planar_map *map, int32_t u)
 {
     const int32_t i = (u - 16) >> 5;
@@ -362,7 +367,7 @@ static inline uint32_t tp_planar_map_mix(uint32_t a, uint32_t b, uint32_t c, uin
     return tp_argb_mix_32nds(tp_argb_mix_32nds(a, b, fu), tp_argb_mix_32nds(c, d, fu), fv);
 }
 
-/* Samples the map at (u, v) of the whole picture, 28.4.  The result is premultiplied by
+/* Samples the map at position (u, v).  The result is premultiplied by
  * its alpha, because uncovered pixels are 0. */
 static inline uint32_t tp_planar_map_sample(const tp_planar_map *map, int32_t u, int32_t v)
 {

@@ -94,6 +94,18 @@ static inline bool tp_has_outlines(const tp_scene *scene)
     return scene->boat.edges == TP_EDGES_SMOOTH && scene->boat.mesh[0];
 }
 
+/* Returns how often the picture's sides are halved for the planar map of mirrored objects.
+ * The projection of a small picture can be halved only once. */
+static inline uint32_t tp_mirror_halvings(const tp_scene *scene, uint32_t width,
+                                          uint32_t height)
+{
+    switch (scene->mirror.size) {
+    case TP_MIRROR_FULL:    return 0;
+    case TP_MIRROR_QUARTER: return width >= 64 && height >= 64 ? 2 : 1;
+    default:                return 1;
+    }
+}
+
 /* Returns the conditions for a world. */
 static inline tp_module_conditions tp_world_module_conditions(const tp_program *program,
                                                               const tp_scene *scene,

@@ -95,13 +95,14 @@ static void moved_to(const tp_shade *s, double x, double y, double z, double zm,
 static tp_mirror mirror;
 static tp_object_cube around;
 
-static tp_shade any_mirror(double zm, double height)
+/* halvings: of the map. */
+static tp_shade any_mirror(int halvings, double zm, double height)
 {
     tp_shade s = shade_any(&chance);
 
     for (int i = 0; i < SIDE; i++)
         zi[i].near = zi[i].far = (uint32_t)(2147483648.0 / zm);
-    mirror.map = (tp_planar_map){ ramp, 0, 0, SIDE, SIDE, 0 };
+    mirror.map = (tp_planar_map){ ramp, 0, 0, SIDE, SIDE, halvings };
     s.per_focal = (uint32_t)(4294967296.0 / s.focal);
     mirror.bend = chance_int(&chance, 0, 512);
     mirror.height = (int64_t)lround(height * 4096);
@@ -137,8 +138,8 @@ static void compare_run(const tp_shade *s, tp_stage mirrored, bool level, double
                                height + z * ray_at(s, x, y).y };
         double u, v;
         moved_to(s, x, y, z, zm, by, &u, &v);
-        u = u / 2 - 0.5;
-        v = v / 2 - 0.5;
+        u = u / (1 << mirror.map.halvings) - 0.5;
+        v = v / (1 << mirror.map.halvings) - 0.5;
         if (level && r.run.mirror[i] == 0)      /* out of reach of the map */
             continue;
         if (u < 1 || v < 1 || u > SIDE - 2 || v > SIDE - 2)
@@ -151,16 +152,20 @@ static void compare_run(const tp_shade *s, tp_stage mirrored, bool level, double
 static void the_look_is_bent_as_the_ray_is(void **state)
 {
     (void)state;
-    level_error off = { 0 };
+    static const char *const name[3] = { "bent, full", "bent, half", "bent, quarter" };
+    level_error off[3] = { { 0 } };
 
-    for (int n = 0; n < 4000; n++) {
+    for (int n = 0; n < 6000; n++) {
         const double zm = chance_double(&chance, 4, 300);
         const double height = zm * chance_double(&chance, 0.02, 0.5);
-        const tp_shade s = any_mirror(zm, height);
-        compare_run(&s, tp_stage_mirrored, false, zm, height, &off);
+        const tp_shade s = any_mirror(n % 3, zm, height);
+        compare_run(&s, tp_stage_mirrored, false, zm, height, &off[n % 3]);
     }
-    print("bent", &off);
-    assert_true(off.worst <= 0.8 && sqrt(off.squares / off.count) <= 0.35);
+    for (int i = 0; i < 3; i++) {
+        print(name[i], &off[i]);
+        assert_true(off[i].worst <= (i == 0 ? 1.2 : 0.8));
+        assert_true(sqrt(off[i].squares / off[i].count) <= 0.35);
+    }
 }
 
 /* Runs of one depth: the factors of a block's middle stand for its 16 columns; in the widest
@@ -173,7 +178,7 @@ static void blocks_bend_as_their_middle(void **state)
     for (int n = 0; n < 4000; n++) {
         const double zm = chance_double(&chance, 4, 300);
         const double height = zm * chance_double(&chance, 0.02, 0.5);
-        const tp_shade s = any_mirror(zm, height);
+        const tp_shade s = any_mirror(1, zm, height);
         compare_run(&s, tp_stage_mirrored_fast, true, zm, height, &off);
     }
     print("by blocks", &off);
@@ -191,7 +196,7 @@ static void fast_lists_get_the_objects_of_exact_ones(void **state)
 
     for (int n = 0; n < 2000; n++) {
         const double zm = chance_double(&chance, 4, 300);
-        const tp_shade s = any_mirror(zm, zm * chance_double(&chance, 0.02, 0.5));
+        const tp_shade s = any_mirror(n % 3, zm, zm * chance_double(&chance, 0.02, 0.5));
         test_run r;
         run_any(&r, 600, &chance);
         r.run.x = TP_RUN * chance_int(&chance, 0, 6);
@@ -222,7 +227,7 @@ static void fast_lists_get_the_objects_of_exact_ones(void **state)
 static void water_behind_an_object_mirrors_none_of_it(void **state)
 {
     (void)state;
-    tp_shade s = any_mirror(10, 1);
+    tp_shade s = any_mirror(1, 10, 1);
     test_run r;
 
     run_any(&r, 0, &chance);

@@ -32,6 +32,14 @@ static const tp_planar_map *sunken_of(const tp_frame *frame)
     return clear && clear->refraction_map ? clear->refraction_map : &nothing;
 }
 
+/* True if the map shows an object in more than half of a sample at a pixel's centre. */
+static bool shows(const tp_planar_map *map, int x, int y)
+{
+    return map->colour
+        && tp_planar_map_sample(map, tp_planar_map_position(map, 16 * x + 8),
+                                tp_planar_map_position(map, 16 * y + 8)) >> 24 >= 128;
+}
+
 static uint64_t chance;
 static test_boat boat;
 
@@ -139,8 +147,7 @@ static int compare(const tp_frame *frame, const tp_planar_map *map, covers *is_t
 
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
-            const bool drawn = map->colour
-                && tp_planar_map_sample(map, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
+            const bool drawn = shows(map, x, y);
             const double d = distance_to(is_there, &c, &box, x + 0.5, y + 0.5, drawn);
             count += drawn;
             *far += d > FAR;
@@ -179,23 +186,61 @@ static void outlines_lie_near_a_double_ray(void **state)
     assert_true(far[0] == 0 && far[1] <= 8);
 }
 
+/* The number of pixels where picture and double rays differ, behind the box left out. */
+static int count_wrong(const tp_frame *frame)
+{
+    const ref_camera c = camera_of(frame, WIDTH, HEIGHT);
+    const ref_mirror_box box = box_of(frame);
+    int wrong = 0;
+
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
+            wrong += !agrees(ref_mirrors, &c, &box, x + 0.5, y + 0.5,
+                             shows(mirror_of(frame), x, y));
+    return wrong;
+}
+
+/* At full size a map pixel's centre is the picture's, so the map's edge is the exact edge to
+ * the rasterizer's 16th of a pixel. */
+static void a_larger_map_lies_nearer_to_double_rays(void **state)
+{
+    (void)state;
+    int wrong[3] = { 0, 0, 0 };
+
+    for (int n = 0; n < 24; n++) {
+        tp_scene s = calm_scene(chance_double(&chance, 0, 0.45));
+        s.water.clarity = 0;
+        for (int size = 0; size < 3; size++) {
+            s.mirror.size = size;
+            test_frame f = begun(&s, WIDTH, HEIGHT);
+            wrong[size] += count_wrong(f.frame);
+            frame_free(&f);
+        }
+    }
+    printf("    pixels off: full %d, half %d, quarter %d\n", wrong[TP_MIRROR_FULL],
+           wrong[TP_MIRROR_HALF], wrong[TP_MIRROR_QUARTER]);
+    assert_true(wrong[TP_MIRROR_QUARTER] > 200);
+    assert_true(wrong[TP_MIRROR_HALF] < wrong[TP_MIRROR_QUARTER]);
+    assert_true(10 * wrong[TP_MIRROR_FULL] < wrong[TP_MIRROR_HALF]);
+}
+
 static void odd_sizes_have_their_mirror_in_place(void **state)
 {
     (void)state;
     for (int n = 0; n < 20; n++) {
         const uint32_t w = 33 + 2 * random_below(&chance, 60);
         const uint32_t h = 33 + 2 * random_below(&chance, 60);
-        const tp_scene s = calm_scene(0.2);
+        tp_scene s = calm_scene(0.2);
+        s.mirror.size = n % 3;
         test_frame f = begun(&s, w, h);
         const ref_camera c = camera_of(f.frame, w, h);
         const ref_mirror_box box = box_of(f.frame);
         for (uint32_t i = 0; i < w * h; i++) {
             const int x = (int)(i % w), y = (int)(i / w);
             const tp_planar_map *map = mirror_of(f.frame);
-            const bool drawn = map->colour
-                && tp_planar_map_sample(map, 16 * x + 8, 16 * y + 8) >> 24 >= 128;
-            assert_true(distance_to(ref_mirrors, &c, &box, x + 0.5, y + 0.5, drawn)
-                        <= 1);
+            assert_true(distance_to(ref_mirrors, &c, &box, x + 0.5, y + 0.5,
+                                    shows(map, x, y))
+                        <= (s.mirror.size == TP_MIRROR_QUARTER ? 2 * FAR : 1));
         }
         frame_free(&f);
     }
@@ -301,7 +346,9 @@ static void no_sky_shows_between_an_object_and_its_mirror(void **state)
             if (!map->colour || !at_the_foot(&c, &box, key, x, y))
                 continue;
             feet++;
-            light += tp_planar_map_sample(map, 16 * x + 8, 16 * y + 8) >> 24 < 250;
+            light += tp_planar_map_sample(map, tp_planar_map_position(map, 16 * x + 8),
+                                          tp_planar_map_position(map, 16 * y + 8))
+                     >> 24 < 250;
         }
         frame_free(&f);
         free(world);
@@ -405,14 +452,27 @@ static void mirrors_cost_the_bytes_that_are_told(void **state)
 {
     (void)state;
     tp_scene s = scene_plain();
-    const size_t want[4] = { 0, 88320, 24576, 98560 };
+    static const struct {
+        int32_t method, size, edges;
+        size_t  bytes;
+    } of[] = {
+        { TP_MIRROR_NONE, TP_MIRROR_FULL, TP_EDGES_PLAIN, 0 },
+        { TP_MIRROR_CUBE, TP_MIRROR_FULL, TP_EDGES_PLAIN, 24576 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_HALF, TP_EDGES_PLAIN, 88320 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_HALF, TP_EDGES_SMOOTH, 88320 + 10240 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, TP_EDGES_PLAIN, 24960 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, TP_EDGES_SMOOTH, 24960 + 5120 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_FULL, TP_EDGES_PLAIN, 330240 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_FULL, TP_EDGES_SMOOTH, 330240 + 20480 },
+    };
 
-    for (int kind = TP_MIRROR_NONE; kind <= TP_MIRROR_CUBE + 1; kind++) {
-        s.mirror.method = kind > TP_MIRROR_CUBE ? TP_MIRROR_STENCIL : kind;
-        s.boat.edges = kind > TP_MIRROR_CUBE ? TP_EDGES_SMOOTH : TP_EDGES_PLAIN;
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        s.mirror.method = of[i].method;
+        s.mirror.size = of[i].size;
+        s.boat.edges = of[i].edges;
         test_frame f = begun(&s, 320, 240);
-        const size_t got = tp_frame_ram(f.frame).mirror;
-        assert_true(got >= want[kind] && got <= want[kind] + (want[kind] ? 128 : 0));
+        const size_t got = tp_frame_ram(f.frame).mirror, want = of[i].bytes;
+        assert_true(got >= want && got <= want + (want ? 128 : 0));
         frame_free(&f);
     }
 }
@@ -429,6 +489,7 @@ int main(void)
         cmocka_unit_test(the_mirror_under_waves_stays_under_the_boat),
         cmocka_unit_test(troughs_mirror_what_they_bare),
         cmocka_unit_test(mirrors_cost_the_bytes_that_are_told),
+        cmocka_unit_test(a_larger_map_lies_nearer_to_double_rays),
     };
     chance = random_seed();
     boat_make(&boat, &chance);

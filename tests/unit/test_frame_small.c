@@ -214,23 +214,29 @@ static int64_t difference(const uint8_t *a, const uint8_t *b)
     return sum;
 }
 
-/* The quarter-resolution reflection is coarser, in the same place. */
-static void a_quarter_mirror_shows_what_a_half_one_does(void **state)
+/* Reflections at a quarter of the picture's size and at its size show the same, in the same
+ * place. */
+static void mirrors_of_every_size_show_the_same(void **state)
 {
     (void)state;
-    static uint8_t none[HEIGHT * STRIDE], half[HEIGHT * STRIDE], quarter[HEIGHT * STRIDE];
-    int64_t mirrored = 0, off = 0;
+    static uint8_t none[HEIGHT * STRIDE], half[HEIGHT * STRIDE];
+    static uint8_t quarter[HEIGHT * STRIDE], full[HEIGHT * STRIDE];
+    int64_t mirrored = 0, off = 0, full_off = 0;
 
     for (int n = 0; n < 40; n++) {
         tp_scene s = mirror_scene();
         draw_mirror(&s, TP_MIRROR_NONE, TP_MIRROR_HALF, none);
         draw_mirror(&s, TP_MIRROR_STENCIL, TP_MIRROR_HALF, half);
         draw_mirror(&s, TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, quarter);
+        draw_mirror(&s, TP_MIRROR_STENCIL, TP_MIRROR_FULL, full);
         mirrored += difference(none, half);
         off += difference(half, quarter);
+        full_off += difference(half, full);
     }
-    printf("# mirrored %" PRId64 ", off %" PRId64 "\n", mirrored, off);
+    printf("# mirrored %" PRId64 ", quarter off %" PRId64 ", full off %" PRId64 "\n", mirrored,
+           off, full_off);
     assert_true(mirrored > 100000 && off > 0 && 5 * off < 2 * mirrored);
+    assert_true(full_off > 0 && full_off < off);
 }
 
 int main(void)
@@ -240,7 +246,7 @@ int main(void)
         cmocka_unit_test(streamed_rows_draw_the_same),
         cmocka_unit_test(coastal_water_is_kept),
         cmocka_unit_test(waves_beyond_those_at_init_are_left_out),
-        cmocka_unit_test(a_quarter_mirror_shows_what_a_half_one_does),
+        cmocka_unit_test(mirrors_of_every_size_show_the_same),
     };
     chance = random_seed();
     kit_make(&kit, &chance);

@@ -101,9 +101,9 @@ static int64_t eye_height(const tp_shade *s, const tp_run *run, uint32_t zi)
  * any, beyond 32 bits too. */
 static void make_mirror(const tp_shade *shade, const tp_run *run)
 {
-    const int coarser = chance_int(&chance, 0, 1), half = 1 + coarser;
-    const int x0 = (run->x >> half) - chance_int(&chance, 0, 50);
-    const int y0 = (run->y >> half) - chance_int(&chance, 0, 70);
+    const int halvings = chance_int(&chance, 0, 2);
+    const int x0 = (run->x >> halvings) - chance_int(&chance, 0, 50);
+    const int y0 = (run->y >> halvings) - chance_int(&chance, 0, 70);
     const uint32_t zi = tp_key_zi(run->key[0]);
 
     for (int i = 0; i < MAP * MAP; i++)
@@ -114,7 +114,7 @@ static void make_mirror(const tp_shade *shade, const tp_run *run)
         column[i].far = column[i].near - random_below(&chance, zi / 4 + 1);
     }
     data.mirror = (tp_mirror){
-        { map, x0, y0, x0 + MAP, y0 + MAP, coarser }, chance_int(&chance, 0, 1024),
+        { map, x0, y0, x0 + MAP, y0 + MAP, halvings }, chance_int(&chance, 0, 1024),
         chance_int(&chance, 0, 9) ? eye_height(shade, run, zi)
                                   : chance_int(&chance, -4, 4) * ((int64_t)1 << 30),
         column,

@@ -81,6 +81,7 @@ static const struct {
     { "mirror.method", "cube", TP_MIRROR_CUBE },
     { "mirror.size", "half", TP_MIRROR_HALF },
     { "mirror.size", "quarter", TP_MIRROR_QUARTER },
+    { "mirror.size", "full", TP_MIRROR_FULL },
     { "pool.cell_bits", "8", TP_CELLS_8 },
     { "pool.cell_bits", "16", TP_CELLS_16 },
     { "pool.cell_bits", "32", TP_CELLS_32 },

@@ -36,12 +36,13 @@ static tp_projection mirrored_projection(const tp_projection *projection, const 
     tp_projection_init_turned(
         &to, (tp_vec3){ projection->eye.x, -projection->eye.y, projection->eye.z }, turn,
         s->camera.fov, s->camera.near, width, height);
-    to = tp_projection_halve(&to);
-    return s->mirror.size == TP_MIRROR_QUARTER ? tp_projection_halve(&to) : to;
+    for (uint32_t n = tp_mirror_halvings(s, width, height); n > 0; n--)
+        to = tp_projection_halve(&to);
+    return to;
 }
 
 /* Sets the clip plane of the reflection: the deepest trough, lowered by two pixels of the
- * halved picture. */
+ * map. */
 static void set_clip_level(boat_view *l, const tp_scene *s)
 {
     int64_t trough = 0;
@@ -201,9 +202,9 @@ static void count_work(tp_site *w)
     add_view_work(w, &l);
     if (!w->mirrors)
         return;
-    const int by = s->mirror.size == TP_MIRROR_QUARTER ? 4 : 2;
-    l = (boat_view){ .rows = (int32_t)w->height / by, .cols = (int32_t)w->width / by,
-                .band = TP_WORK_STRIP, .mirrored = true,
+    const uint32_t halvings = tp_mirror_halvings(s, w->width, w->height);
+    l = (boat_view){ .rows = (int32_t)(w->height >> halvings),
+                .cols = (int32_t)(w->width >> halvings), .band = TP_WORK_STRIP, .mirrored = true,
                 .projection = mirrored_projection(&projection, s, w->width, w->height) };
     set_mesh_projection(&l, s);
     count_faces(w, &l);

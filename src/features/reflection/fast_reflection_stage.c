@@ -82,7 +82,7 @@ static bool block_shift_make(const tp_shade *shade, const tp_mirror *look, int32
 {
     const tp_planar_map *map = &look->map;
     const tp_mirrored_zi *column = &look->zi[tp_clamp(
-        (x >> (1 + map->coarser)) - map->x0, 0, map->x1 - map->x0 - 1)];
+        (x >> map->halvings) - map->x0, 0, map->x1 - map->x0 - 1)];
     uint32_t zi = column->near;
     int32_t  ratio = tp_mirror_depth_ratio(zi, key);
 
@@ -114,7 +114,7 @@ static bool block_shift_make(const tp_shade *shade, const tp_mirror *look, int32
 /* True if the map may be seen in columns x to x + 15 of row y. */
 static bool is_near_box(const tp_planar_map *map, int32_t x, int32_t y)
 {
-    const int by = 1 + map->coarser;
+    const int by = map->halvings;
     return x + 16 > map->x0 * (1 << by) - REACH && x < map->x1 * (1 << by) + REACH
         && y >= map->y0 * (1 << by) - REACH && y < map->y1 * (1 << by) + REACH;
 }
@@ -129,29 +129,29 @@ TP_ALWAYS_INLINE uint32_t sample_object(const tp_planar_map *map, const block_sh
                                         int32_t x, int32_t y, uint32_t slope)
 {
     const int32_t du = shift->u + (tp_smuad(shift->by_u, slope) >> (12 - shift->down));
-    const int32_t u = (16 * x + 8 + du) >> map->coarser;
+    const int32_t u = tp_planar_map_position(map, 16 * x + 8 + du);
 
     if (tp_planar_map_misses_column(map, u))
         return 0;
     const int32_t dv = shift->v + (tp_smuad(shift->by_v, slope) >> (12 - shift->down));
-    return tp_planar_map_sample(map, u, (16 * y + 8 + dv) >> map->coarser);
+    return tp_planar_map_sample(map, u, tp_planar_map_position(map, 16 * y + 8 + dv));
 }
 
-/* Finds the objects in samples [i, stop) of a block, one for two columns: a pixel of the
- * map is as wide.  Returns false if there are none. */
+/* Finds the objects in samples [i, stop) of a block, one for two columns unless a pixel of
+ * the map is as narrow as a column.  Returns false if there are none. */
 TP_ALWAYS_INLINE bool find_objects(const tp_shade *shade, const tp_mirror *look,
                                    const tp_run *run, int32_t i, int32_t stop, int packed,
                                    uint32_t *to)
 {
     block_shift shift;
     uint32_t any = 0;
-    const int32_t middle = (i + stop) >> 1;
+    const int32_t middle = (i + stop) >> 1, odd = look->map.halvings > 0;
 
     if (!is_near_box(&look->map, (run->x + i) & ~15, run->y)
         || !block_shift_make(shade, look, run->x + middle, run->y, run->key[middle], &shift))
         return false;
     while (i < stop) {
-        const int32_t next = i + 2 - ((run->x + i) & 1);
+        const int32_t next = i + 1 + (odd & ~(run->x + i));
         const uint32_t seen = sample_object(&look->map, &shift, run->x + i, run->y,
                                             slope_pair(run, i, packed));
         any |= seen;

@@ -68,8 +68,8 @@ typedef struct {
     TP_ROW_CHOICE("mirror.method", mirror.method, "none|stencil|cube", \
         TP_MIRROR_CUBE, TP_MIRROR_NONE, \
         "boat and drops in the water: sharp (stencil), or from a small cube"), \
-    TP_ROW_CHOICE("mirror.size", mirror.size, "half|quarter", TP_MIRROR_QUARTER, \
-        TP_MIRROR_HALF, \
+    TP_ROW_CHOICE("mirror.size", mirror.size, "half|quarter|full", \
+        TP_MIRROR_FULL, TP_MIRROR_HALF, \
         "side of the stencil's mirrored image, relative to the picture"), \
     TP_ROW_NUMBER("mirror.distortion", mirror.distortion, "", 0, 4, 1, \
         "strength with which waves distort the mirrored image")

@@ -56,7 +56,6 @@ static void fill_gaps(tp_mirrored_zi *zi, uint32_t count)
 static tp_projection mirrored_projection(const tp_frame *frame,
                                          const tp_planar_memory *store, tp_fx level)
 {
-    TP_ASSERT(store->halvings > 0);
     const tp_projection *from = &frame->projection;
     const tp_dir3  r = from->turn.x, up = from->turn.y, back = from->turn.z;
     const tp_rotation turn = { { r.x, -r.y, r.z }, { -up.x, up.y, -up.z },
@@ -72,9 +71,9 @@ static tp_projection mirrored_projection(const tp_frame *frame,
     return projection;
 }
 
-/* Pixels by which the clip level is lowered.  At the foot of an object one pixel of the
- * map covers water from both sides of the level.  The additional part of the reflection
- * lies behind its object and stays hidden. */
+/* Pixels of the map by which the clip level is lowered.  At the foot of an
+ * object one pixel covers water from both sides of the level.  The additional part of the
+ * reflection lies behind its object and stays hidden. */
 enum { OVERLAP = 2 };
 
 /* Returns the clip level.  Troughs expose a hull below the mean level, so the clip level
@@ -87,8 +86,7 @@ static tp_view_plane mirror_clip_plane(const tp_frame *frame,
     const bool  bare = !tp_frame_has_module(frame, TP_MODULE_WALLS) && trough < level;
     tp_view_plane plane = tp_projection_level_plane(projection, bare ? trough : level, 1);
 
-    plane.depth +=
-        (int32_t)(((int64_t)OVERLAP << 43) / projection->focal); /* halved px */
+    plane.depth += (int32_t)(((int64_t)OVERLAP << 43) / projection->focal);
     return plane;
 }
 
@@ -162,7 +160,7 @@ static void draw_mirror_map(tp_frame *frame, void *mine)
     set_bending(frame, &m->look, level);
     draw_mirror(frame, m, &view);
     *map = (tp_planar_map){ map->colour, map->x0, rows - map->y1, map->x1,
-                       rows - map->y0, map->coarser };
+                       rows - map->y0, map->halvings };
 }
 
 /* -- the module mirror --------------------------------------------------------------- */
@@ -174,19 +172,13 @@ bool tp_mirror_enabled(const tp_module_conditions *conditions)
            && conditions->above & (TP_MODULE_SOLID | TP_MODULE_WALLS);
 }
 
-/* Returns the number of halvings.  The projection of a small picture can be halved only
- * once. */
-static uint32_t count_halvings(const tp_module_conditions *conditions)
-{
-    return conditions->scene->mirror.size == TP_MIRROR_QUARTER && conditions->width >= 64
-           && conditions->height >= 64 ? 2 : 1;
-}
-
 static void *layout_mirror(tp_arena *arena, const tp_module_conditions *conditions)
 {
     mirror *m = tp_arena_alloc(arena, 1, sizeof *m), made = { .look.bend = 0 };
 
-    tp_planar_layout(&made.store, arena, conditions, count_halvings(conditions));
+    tp_planar_layout(&made.store, arena, conditions,
+                     tp_mirror_halvings(conditions->scene, conditions->width,
+                                        conditions->height));
     made.outlined = has_outlines(conditions->scene);
     if (made.outlined)          /* right behind the band's samples */
         tp_arena_alloc(arena, (size_t)made.store.cols * TP_PLANAR_BAND,

@@ -133,7 +133,7 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     const tp_planar_map *map = &look->map;
     int32_t k = x & 15, last = map->x1 - map->x0 - 1;
     const tp_mirrored_zi *column =
-        &look->zi[tp_clamp((x >> (1 + map->coarser)) - map->x0, 0, last)];
+        &look->zi[tp_clamp((x >> map->halvings) - map->x0, 0, last)];
     uint32_t zi = column->near;
     int32_t ratio = tp_mirror_depth_ratio(zi, key);
     if (ratio > BESIDE) {
@@ -150,13 +150,13 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     int32_t du = pixel_displacement(interpolate_in_block(a->xu, step->xu, k), sx,
                                     interpolate_in_block(a->zu, step->zu, k), sz, share,
                                     interpolate_in_block(a->hu, step->hu, k), h);
-    int32_t u = (16 * x + 8 + du) >> map->coarser;
+    int32_t u = tp_planar_map_position(map, 16 * x + 8 + du);
     if (tp_planar_map_misses_column(map, u))
         return 0;
     int32_t dv = pixel_displacement(interpolate_in_block(a->xv, step->xv, k), sx,
                                     interpolate_in_block(a->zv, step->zv, k), sz, share,
                                     interpolate_in_block(a->hv, step->hv, k), h);
-    return tp_planar_map_sample(map, u, (16 * y + 8 + dv) >> map->coarser);
+    return tp_planar_map_sample(map, u, tp_planar_map_position(map, 16 * y + 8 + dv));
 }
 
 #include "features/reflection/reflection_wide.h"

@@ -9,7 +9,7 @@
 #ifndef TP_FEATURES_REFLECTION_REFLECTION_WIDE_H
 #define TP_FEATURES_REFLECTION_REFLECTION_WIDE_H
 
-/* u, v: place in the map, 28.4; meets: not 0 if the place can lie in the map. */
+/* u, v: position in the map; meets: not 0 if the place can lie in the map. */
 typedef struct {
     int32_t u[16], v[16], meets[16];
 } map_places;
@@ -44,11 +44,11 @@ TP_ALWAYS_INLINE void find_map_places(const tp_mirror *look, uint32_t height, in
 {
     const tp_planar_map map = look->map;
     const tp_mirrored_zi *restrict column = look->zi;
-    const int32_t last = map.x1 - map.x0 - 1, bend = look->bend, half = 1 + map.coarser;
+    const int32_t last = map.x1 - map.x0 - 1, bend = look->bend;
 
     for (int32_t i = 0; i < count; i++) {
         const int32_t k = (x & 15) + i, sx = sxs[i], sz = szs[i];
-        const int32_t at = tp_clamp(((x + i) >> half) - map.x0, 0, last);
+        const int32_t at = tp_clamp(((x + i) >> map.halvings) - map.x0, 0, last);
         const uint32_t near = column[at].near, far = column[at].far;
         const uint32_t water = tp_key_zi(key[i]);
         const int32_t  shift = tp_clz_in_steps(water);
@@ -72,8 +72,8 @@ TP_ALWAYS_INLINE void find_map_places(const tp_mirror *look, uint32_t height, in
             interpolate_in_block(a.xv, step.xv, k), sx,
             interpolate_in_block(a.zv, step.zv, k), sz, share,
             interpolate_in_block(a.hv, step.hv, k), h);
-        const int32_t  u = (16 * (x + i) + 8 + du) >> map.coarser;
-        const int32_t  v = (16 * y + 8 + dv) >> map.coarser;
+        const int32_t  u = tp_planar_map_position(&map, 16 * (x + i) + 8 + du);
+        const int32_t  v = tp_planar_map_position(&map, 16 * y + 8 + dv);
         const int32_t  i0 = (u - 16) >> 5, j0 = (v - 16) >> 5;
         to->u[i] = u;
         to->v[i] = v;
