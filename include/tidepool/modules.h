@@ -43,7 +43,8 @@ typedef void (*tp_stage)(const struct tp_shade *shade, struct tp_run *run);
 #define TP_STAGE_LIST(X) \
     X(sky)                  /* sky or other empty view */ \
     X(plain)                /* water without texture */ \
-    X(view)                 /* vx vy vz, lv: view vectors in world axes */
+    X(view)                 /* vx vy vz, lv: view vectors in world axes */ \
+    X(sky_fast)             /* the gradient for quality.sky=fast; four columns at a time */
 
 #define X(name) void tp_stage_##name(const struct tp_shade *shade, struct tp_run *run);
 TP_STAGE_LIST(X)

@@ -218,6 +218,15 @@ static void fill_underside_shaders(tp_frame *frame)
     tp_frame_add_stages(frame, water);
 }
 
+/* Returns the stage of the gradient. */
+static tp_stage select_gradient_stage(const tp_frame *frame)
+{
+    const tp_stages *stage = &frame->program->stage;
+
+    return frame->scene->quality.sky == TP_RUNG_FAST && stage->sky_fast ? stage->sky_fast
+                                                                        : stage->sky;
+}
+
 /* Fills the sky's list.  A sky without a module becomes the gradient. */
 static void fill_sky_shaders(tp_frame *frame)
 {
@@ -228,7 +237,7 @@ static void fill_sky_shaders(tp_frame *frame)
     tp_shaders_clear(sky);
     tp_frame_add_stages(frame, sky);
     if (!tp_shaders_has(sky, TP_AT_COLOUR))
-        tp_shaders_add_colour(sky, frame->program->stage.sky);
+        tp_shaders_add_colour(sky, select_gradient_stage(frame));
     if (named && frame->shade.env.kind == TP_ENV_GRADIENT)
         sky->lacks++;
 }
