@@ -35,7 +35,8 @@ static height_row height_row_make(const tp_shade *shade, int32_t y)
 /* Returns the sine of the elevation of a column's ray, Q14, the y of tp_quick_ray negated.
  * Its roundings and those of the root add less than 32 to 16384: the sky's entries end
  * at 16384 + 63. */
-TP_ALWAYS_INLINE int32_t height_sine(const tp_shade *shade, const height_row *row, int32_t x)
+TP_ALWAYS_INLINE int32_t height_sine(const tp_shade *shade, const height_row *row,
+                                     int32_t x)
 {
     const int32_t u = tp_quick_over_focal(shade, 16 * x + 8 - shade->u0);
     const int32_t unit = tp_rsqrt_one_plus(row->square + ((uint32_t)u * (uint32_t)u >> 4));

@@ -242,6 +242,33 @@ static void rough_water_mirrors_the_sky_of_the_exact_stages(void **state)
     }
 }
 
+/* -- the map of a cube's sky ---------------------------------------------------------- */
+
+/* The mean cell of smooth water over four rows is a place in the map to an eighth of a
+ * cell; one row alone is off by half a cell and more. */
+static void four_rows_share_out_a_cell(void **state)
+{
+    (void)state;
+    double one = 0;
+
+    for (int n = 0; n < 20000; n++) {
+        const int32_t vx = chance_int(&chance, -15000, 15000);
+        const int32_t vz = chance_int(&chance, -15000, 15000);
+        const int32_t y = chance_int(&chance, 0, 1000);
+        double u = 0, v = 0;
+        for (int32_t k = 0; k < 4; k++) {
+            const int32_t at =
+                plain_cube_index(0, 0, vx, vz, 0, 0, tp_quick_row_offset(y + k));
+            const double here = (at % TP_QUICK_SIDE) - TP_QUICK_SIDE / 2 + 0.5;
+            one = fmax(one, fabs(here + vx / 1024.0));
+            u += here / 4;
+            v += ((at / TP_QUICK_SIDE) - TP_QUICK_SIDE / 2 + 0.5) / 4;
+        }
+        assert_true(fabs(u + vx / 1024.0) <= 0.1251 && fabs(v + vz / 1024.0) <= 0.1251);
+    }
+    assert_true(one > 0.5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -251,6 +278,7 @@ int main(void)
         cmocka_unit_test(domes_and_cubes_keep_their_colours),
         cmocka_unit_test(glints_lie_where_they_lay),
         cmocka_unit_test(rough_water_mirrors_the_sky_of_the_exact_stages),
+        cmocka_unit_test(four_rows_share_out_a_cell),
     };
     chance = random_seed();
     return cmocka_run_group_tests_name("features/water quick light", tests, NULL, NULL);

@@ -204,7 +204,8 @@ static void count_work(tp_site *w)
         return;
     const uint32_t halvings = tp_mirror_halvings(s, w->width, w->height);
     l = (boat_view){ .rows = (int32_t)(w->height >> halvings),
-                .cols = (int32_t)(w->width >> halvings), .band = TP_WORK_STRIP, .mirrored = true,
+                .cols = (int32_t)(w->width >> halvings), .band = TP_WORK_STRIP,
+                .mirrored = true,
                 .projection = mirrored_projection(&projection, s, w->width, w->height) };
     set_mesh_projection(&l, s);
     count_faces(w, &l);

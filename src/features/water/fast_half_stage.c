@@ -32,6 +32,7 @@ TP_ALWAYS_INLINE uint32_t *light_span(const tp_shade *shade, tp_quick_sun sun,
     const tp_quick_water water = tp_quick_water_make(shade, &view.from, env);
     const tp_quick_rough *rough = &quick->rough[water.level];
     const uint32_t *sky = quick->sky + water.sky;
+    const tp_quick_offset row = tp_quick_row_offset(run->y);
 
     sun = tp_quick_sun_seen(sun, water.seen);
     view.from.y -= rough->least;
@@ -40,8 +41,8 @@ TP_ALWAYS_INLINE uint32_t *light_span(const tp_shade *shade, tp_quick_sun sun,
                                         tp_quick_walk_make(view.step.half));
     tp_quick_view v = column_view(&view, x - from, lobe);
     while (x < stop) {
-        *even = packed_shade_column(rough, sky, sun, v, run->slope[x - run->x], *even, env,
-                                    lobe);
+        *even = packed_shade_column(rough, sky, row, sun, v, run->slope[x - run->x], *even,
+                                    env, lobe);
         even++;
         x += 2 - (x & 1);
         if (lobe == TP_LOBE_PHONG) {

@@ -14,21 +14,23 @@
 /* -- every column -------------------------------------------------------------------- */
 
 TP_ALWAYS_INLINE uint32_t packed_cube_colour(const uint32_t *sky, uint32_t slope,
-                                             uint32_t back, int32_t n, int32_t up)
+                                             uint32_t back, int32_t n, int32_t up,
+                                             tp_quick_offset row)
 {
     int32_t twice = tp_usat(n, 12, 14);
     int32_t x = (twice * tp_high16(slope) >> 11) - tp_high16(back);
     int32_t z = (twice * tp_low16(slope) >> 11) - tp_low16(back);
     int32_t in = 16384 - tp_usat(up, 13, 13);
-    int32_t u = tp_clamp(x * (in >> 2) >> 22, -16, 15);
-    int32_t v = tp_clamp(z * (in >> 2) >> 22, -16, 15);
+    int32_t u = tp_clamp((x * (in >> 2) + row.u) >> 22, -16, 15);
+    int32_t v = tp_clamp((z * (in >> 2) + row.v) >> 22, -16, 15);
 
     return sky[(v + 16) * TP_QUICK_SIDE + u + 16];
 }
 
 /* Returns light and reflection of one column. */
 TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const tp_quick_rough *rough,
-                                                   const uint32_t *sky, tp_quick_sun sun,
+                                                   const uint32_t *sky,
+                                                   tp_quick_offset row, tp_quick_sun sun,
                                                    tp_quick_view v, uint32_t slope,
                                                    uint32_t colour, int env)
 {
@@ -36,7 +38,7 @@ TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const tp_quick_rough *rough,
     int32_t  l = tp_smlad(slope, sun.back, sun.y);
     int32_t  lit = sun.ambient + sun.direct * tp_usat(l, 18, 8);
     uint32_t light = env == TP_ENV_CUBE
-                         ? packed_cube_colour(sky, slope, v.back, n + rough->least, up)
+                         ? packed_cube_colour(sky, slope, v.back, n + rough->least, up, row)
                          : sky[tp_ssat(up, 21, 6)];
     uint32_t share = rough->share[tp_usat(n, 18, 8)];
     uint32_t keeps = (uint32_t)tp_smulwt(lit, share), mirrors = share & 0xffff;
@@ -69,11 +71,12 @@ TP_ALWAYS_INLINE uint32_t packed_add_glint(const tp_quick_rough *rough, int32_t 
 
 /* Returns the full colour of one column. */
 TP_ALWAYS_INLINE uint32_t packed_shade_column(const tp_quick_rough *rough,
-                                              const uint32_t *sky, tp_quick_sun sun,
-                                              tp_quick_view v, uint32_t slope,
-                                              uint32_t colour, int env, int lobe)
+                                              const uint32_t *sky, tp_quick_offset row,
+                                              tp_quick_sun sun, tp_quick_view v,
+                                              uint32_t slope, uint32_t colour, int env,
+                                              int lobe)
 {
-    colour = packed_light_and_reflect(rough, sky, sun, v, slope, colour, env);
+    colour = packed_light_and_reflect(rough, sky, row, sun, v, slope, colour, env);
     return packed_add_glint(rough, rough->least, sun, v, slope, colour, lobe);
 }
 
@@ -97,6 +100,7 @@ TP_ALWAYS_INLINE void packed_shade_span(const tp_shade *shade, tp_quick_sun sun,
     const struct tp_quick_light *quick = shade->quick;
     const tp_quick_water water = tp_quick_water_make(shade, &v, env);
     const uint32_t *sky = quick->sky + water.sky;
+    const tp_quick_offset row = tp_quick_row_offset(run->y);
     const tp_quick_rough *rough = &quick->rough[water.level];
     sun = tp_quick_sun_seen(sun, water.seen);
     const int width = TP_QUICK_STEP(lobe);
@@ -117,7 +121,7 @@ TP_ALWAYS_INLINE void packed_shade_span(const tp_shade *shade, tp_quick_sun sun,
     int32_t  y = v.y - rough->least, lv = v.lv;
 
 #define SEEN(i) \
-    COLOUR(at, i) = packed_shade_column(rough, sky, sun, \
+    COLOUR(at, i) = packed_shade_column(rough, sky, row, sun, \
                                         (tp_quick_view){ back, half, y, lv }, \
                                         SLOPE(at, i), COLOUR(at, i), env, lobe)
 #define TO_NEXT(by) (half = lobe == TP_LOBE_BLINN ? tp_sadd16(half, by) : 0)
@@ -177,6 +181,7 @@ TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
 {
     const struct tp_quick_light *quick = shade->quick;
     const uint32_t *sky = quick->sky + water.sky;
+    const tp_quick_offset row = tp_quick_row_offset(run->y);
     const tp_quick_rough *rough = &quick->rough[water.level];
     const uint32_t *slope = run->slope + (x - run->x);
     uint32_t *even = run->even + ((x - run->x + (run->x & 1)) >> 1);
@@ -187,7 +192,7 @@ TP_ALWAYS_INLINE void packed_light_span_even_columns(const tp_shade *shade,
     uint32_t back = v.back;
     int32_t  y = v.y - rough->least;
 #define SEEN(i) \
-    even[i] = packed_light_and_reflect(rough, sky, sun, \
+    even[i] = packed_light_and_reflect(rough, sky, row, sun, \
                                        (tp_quick_view){ .back = back, .y = y }, \
                                        slope[2 * (i)], even[i], env)
 #define WALK() (back = tp_sadd16(back, step.back), y += step.y)

@@ -16,13 +16,13 @@
  * horizontal part is contracted by half its height, so the horizon has as many cells per
  * degree as the rest.  n and `up` are Q26. */
 TP_ALWAYS_INLINE int32_t plain_cube_index(int32_t sx, int32_t sz, int32_t vx, int32_t vz,
-                                          int32_t n, int32_t up)
+                                          int32_t n, int32_t up, tp_quick_offset row)
 {
     int32_t twice = tp_usat(n, 12, 14);
     int32_t x = (twice * sx >> 11) - vx, z = (twice * sz >> 11) - vz;
     int32_t in = 16384 - tp_usat(up, 13, 13);
-    int32_t u = tp_clamp(x * (in >> 2) >> 22, -16, 15);
-    int32_t v = tp_clamp(z * (in >> 2) >> 22, -16, 15);
+    int32_t u = tp_clamp((x * (in >> 2) + row.u) >> 22, -16, 15);
+    int32_t v = tp_clamp((z * (in >> 2) + row.v) >> 22, -16, 15);
 
     return (v + 16) * TP_QUICK_SIDE + u + 16;
 }
@@ -44,9 +44,11 @@ typedef struct {
     tp_quick_sun sun;
     int32_t least, lx, lz;
     uint32_t beyond;
+    tp_quick_offset row;
 } plain_tables;
 
-TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t level)
+TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t level,
+                                                int32_t y)
 {
     const struct tp_quick_light *quick = shade->quick;
     const tp_quick_rough *rough = &quick->rough[level];
@@ -54,7 +56,7 @@ TP_ALWAYS_INLINE plain_tables plain_tables_make(const tp_shade *shade, int32_t l
 
     return (plain_tables){
         quick->sky, rough->share, rough->lobe, sun, rough->least, tp_high16(sun.back),
-        tp_low16(sun.back), rough->beyond,
+        tp_low16(sun.back), rough->beyond, tp_quick_row_offset(y),
     };
 }
 
@@ -99,7 +101,8 @@ TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_c
 {
     int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
     int32_t place = env == TP_ENV_CUBE
-                        ? plain_cube_index(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up)
+                        ? plain_cube_index(c.sx, c.sz, c.vx, c.vz, c.n + t->least, up,
+                                               t->row)
                         : tp_low16(water) + tp_ssat(up, 21, 6);
     tp_quick_sun sun = tp_quick_sun_seen(t->sun, tp_high16(water));
     uint32_t share = t->shares[tp_usat(c.n, 18, 8)];
@@ -155,7 +158,7 @@ TP_ALWAYS_INLINE void plain_light(const tp_shade *shade, tp_run *run, int env, i
     tp_quick_view_run(shade, run, env, lobe);
     for (int32_t i = 0, end; i < run->count; i = end) {
         end = plain_level_end(run, i, lobe);
-        plain_shade_loop(plain_tables_make(shade, plain_level(run, i, lobe)), run,
+        plain_shade_loop(plain_tables_make(shade, plain_level(run, i, lobe), run->y), run,
                          run->colour, i, end, env, lobe);
     }
 }
@@ -186,7 +189,7 @@ TP_ALWAYS_INLINE void plain_light_even_columns(const tp_shade *shade, tp_run *ru
     tp_quick_view_run(shade, run, env, TP_LOBE_BLINN);
     if (odd) {
         const plain_tables tables =
-            plain_tables_make(shade, plain_level(run, 0, TP_LOBE_BLINN));
+            plain_tables_make(shade, plain_level(run, 0, TP_LOBE_BLINN), run->y);
         plain_column c = plain_column_make(&tables, run->slope[0], run->back[0],
                                          run->view_y[0]);
         run->even[0] =
@@ -195,7 +198,7 @@ TP_ALWAYS_INLINE void plain_light_even_columns(const tp_shade *shade, tp_run *ru
     for (int32_t i = odd, end; i < run->count; i = end) {
         end = plain_level_end(run, i, TP_LOBE_BLINN);
         plain_light_even_columns_loop(
-            plain_tables_make(shade, plain_level(run, i, TP_LOBE_BLINN)), run,
+            plain_tables_make(shade, plain_level(run, i, TP_LOBE_BLINN), run->y), run,
             run->even + ((i + odd) >> 1), i, (end - i + 1) >> 1, env);
     }
 }
@@ -225,8 +228,8 @@ TP_ALWAYS_INLINE void plain_glint(const tp_shade *shade, tp_run *run, int lobe)
         tp_quick_view_run(shade, run, TP_ENV_CUBE, lobe);
     for (int32_t i = 0, end; i < run->count; i = end) {
         end = plain_level_end(run, i, lobe);
-        plain_glint_loop(plain_tables_make(shade, plain_level(run, i, lobe)), run, i, end,
-                         lobe);
+        plain_glint_loop(plain_tables_make(shade, plain_level(run, i, lobe), run->y), run,
+                         i, end, lobe);
     }
 }
 

@@ -40,7 +40,7 @@ TP_ALWAYS_INLINE void lay_block(const tp_shade *shade, tp_run *run, int32_t i, i
     const tp_quick_view b = tp_quick_blinn_sample(shade, &row, from + SPAN);
     const tp_quick_view step = tp_quick_step(a, b, TP_LOBE_NONE);
     const tp_quick_water water = tp_quick_water_make(shade, &a, env);
-    const plain_tables tables = plain_tables_make(shade, (int32_t)water.level);
+    const plain_tables tables = plain_tables_make(shade, (int32_t)water.level, run->y);
 
     for (; i < stop; i++) {
         if (run->mirror[i] == 0)
@@ -51,7 +51,8 @@ TP_ALWAYS_INLINE void lay_block(const tp_shade *shade, tp_run *run, int32_t i, i
         const int32_t up = 2 * tp_usat(c.n, 0, 27) - c.y;
         const int32_t place =
             env == TP_ENV_CUBE
-                ? plain_cube_index(c.sx, c.sz, c.vx, c.vz, c.n + tables.least, up)
+                ? plain_cube_index(c.sx, c.sz, c.vx, c.vz, c.n + tables.least, up,
+                                   tables.row)
                 : (int32_t)water.sky + tp_ssat(up, 21, 6);
         const uint32_t share = tables.shares[tp_usat(c.n, 18, 8)];
         run->colour[i] = replace_sky(run->colour[i], tables.sky[place], run->mirror[i],

@@ -245,6 +245,21 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_view_sample(const tp_shade *shade,
                                  : tp_quick_blinn_sample(shade, row, x);
 }
 
+/* Returns what a row of the picture adds to u and v of places in the map of a cube's sky,
+ * parts of a cell, Q22.  Four rows take turns, and 0 and 2, 1 and 3 are opposite: water
+ * without ripples would show the map's cells as facets. */
+typedef struct {
+    int32_t u, v;
+} tp_quick_offset;
+
+TP_ALWAYS_INLINE tp_quick_offset tp_quick_row_offset(int32_t y)
+{
+    const int32_t eighth = y & 2 ? 1 << 19 : -(1 << 19);
+
+    return y & 1 ? (tp_quick_offset){ -eighth, 3 * eighth }
+                 : (tp_quick_offset){ 3 * eighth, eighth };
+}
+
 /* Fills the arrays of a whole run, for the plain loops. */
 void tp_quick_view_run(const tp_shade *shade, tp_run *run, int env, int lobe);
 
