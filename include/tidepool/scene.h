@@ -119,6 +119,7 @@ enum { TP_MESH_AUTO, TP_MESH_FULL, TP_MESH_MIDDLE, TP_MESH_LOW };
 typedef struct {
     int32_t cols, rows;             /* cells, 16..512; cols 0: no pool */
     int32_t cell_bits, boundary;    /* tp_cells, tp_edges */
+    int32_t interval;               /* ticks to a step of the cells, 2^n: n = 0, 1, 2 */
     int32_t damping;                /* n: each tick 2^-n of the motion is lost */
     int32_t sponge;                 /* absorbing cells of TP_EDGES_SPONGE */
     tp_fx   courant;                /* Courant number, 0.05 to about 0.49 */

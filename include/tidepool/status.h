@@ -55,6 +55,9 @@ TP_BEGIN_C
                    "computed")                                                           \
     X(E_POOL_COURANT, "%s of 0.%a is above 0.%b, the bound of this damping; water "      \
                       "would not come to rest")                                          \
+    X(E_POOL_INTERVAL, "%s: a step in %a ticks takes a courant up to 0.%b with this "        \
+                       "damping")                                                        \
+    X(E_POOL_DAMPING, "%s: a step in %a ticks takes a damping of %b or more")             \
     X(E_POOL_RANGE, "%s is outside the range of pools")                                  \
     X(E_POOL_FEED, "%s is above drive_max")                                              \
     X(E_POOL_MASK, "%s has no samples: %a x %b")                                         \

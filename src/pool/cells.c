@@ -134,7 +134,7 @@ static void zero_height_and_velocity_sums(tp_pool *pool)
         subtract_from_cell(pool, i, &h, &v, (h > 0) - (h < 0), (v > 0) - (v < 0));
 }
 
-/* Runs gear A for TA = ceil(2^(m+1) ln(A / 8)) ticks [C11].  An earlier, higher wave keeps
+/* Runs gear A for TA = ceil(2^(m+1) ln(A / 8)) steps [C11].  An earlier, higher wave keeps
  * its longer time. */
 void tp_pool_start_carry_rounding(tp_pool *pool, int32_t peak_lsb)
 {
@@ -170,9 +170,11 @@ tp_pool_state tp_pool_stats(const tp_pool *pool)
 void tp_pool_step(tp_pool *pool)
 {
     TP_ASSERT(pool->cells <= TP_CELLS_32 && pool->damping >= 4 && pool->damping <= 10);
-    if (pool->drive_min > 0)
+    const bool due = tp_pool_is_due(pool);
+
+    if (due && pool->drive_min > 0)
         tp_pool_splash_if_quiet(pool);
-    if (!pool->at_rest) {
+    if (due && !pool->at_rest) {
         switch (pool->cells) {
         case TP_CELLS_8:  tp_pool_step_8(pool);  break;
         case TP_CELLS_16: tp_pool_step_16(pool); break;
@@ -209,7 +211,7 @@ static bool is_same_config(const tp_pool *pool, const tp_pool *fresh)
     head.gear = pool->gear;
     head.at_rest = pool->at_rest;
     head.no_flux = pool->no_flux;
-    return memcmp(&head, pool, offsetof(tp_pool, first) + sizeof head.first) == 0;
+    return memcmp(&head, pool, offsetof(tp_pool, interval) + sizeof head.interval) == 0;
 }
 
 static bool is_same_part(const tp_pool *pool, const tp_pool *fresh, uint32_t offset,
@@ -292,7 +294,8 @@ bool tp_pool_is_valid(const tp_pool *pool, const tp_pool *fresh)
         || !is_same_part(pool, fresh, pool->walls, tp_pool_count(pool))
         || !is_same_part(pool, fresh, pool->sponge, pool->cols + pool->rows)
         || pool->drive_peak < 0 || pool->drive_peak > tp_pool_max_lsb(pool)
-        || pool->drive_ticks >= TP_DRIVE_WINDOW || pool->drive_hits > pool->drive_ticks
+        || pool->drive_ticks >= tp_pool_drive_window_steps(pool)
+        || pool->drive_hits > pool->drive_ticks
         || pool->at_rest > 1 || pool->no_flux > 1)
         return false;
     return pool->cells == TP_CELLS_32 ? are_fluxes_valid(pool) && are_heights_valid(pool)

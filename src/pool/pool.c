@@ -70,6 +70,16 @@ static uint8_t sponge_exponent(uint32_t edge_distance, uint32_t width,
     return j;
 }
 
+/* Returns the exponent of a step at a distance from the edge. */
+static uint8_t step_sponge_exponent(const tp_pool *pool, uint32_t edge_distance,
+                                    uint32_t width)
+{
+    const uint32_t n = pool->interval;
+    const uint32_t tick = sponge_exponent(edge_distance, width, pool->damping + n);
+
+    return (uint8_t)(tick > n ? tick - n : 1);
+}
+
 /* Sets one damping exponent per column and per row; a cell has the smaller of its two. */
 static void pool_set_sponge(tp_pool *pool, uint32_t width)
 {
@@ -79,9 +89,9 @@ static void pool_set_sponge(tp_pool *pool, uint32_t width)
     const uint32_t right = pool->cols - 1, bottom = pool->rows - 1;
 
     for (uint32_t x = 0; x <= right; x++)
-        column[x] = sponge_exponent(x < right - x ? x : right - x, width, pool->damping);
+        column[x] = step_sponge_exponent(pool, x < right - x ? x : right - x, width);
     for (uint32_t y = 0; y <= bottom; y++)
-        row[y] = sponge_exponent(y < bottom - y ? y : bottom - y, width, pool->damping);
+        row[y] = step_sponge_exponent(pool, y < bottom - y ? y : bottom - y, width);
 }
 
 /* -- check, layout, still water ------------------------------------------------------ */
@@ -89,7 +99,7 @@ static void pool_set_sponge(tp_pool *pool, uint32_t width)
 /* The sponge of [C15] covers the outer W cells.  At d cells from the edge a cell loses
  * delta = dmax ((W - d) / W)^2 of its motion per tick, rounded to a power of 2 and at least
  * the damping of the field.  dmax = 8 / W, at most 1/2: the two measured sponges of
- * [C15]. */
+ * [C15].  A step of 2^n ticks loses 2^n delta, at most 1/2. */
 
 static bool is_in_range(int64_t x, int64_t low, int64_t high)
 {
@@ -125,6 +135,7 @@ static tp_status check_numbers(const tp_pool_config *c, tp_error *err)
     RANGE("boundary", is_in_range((int)c->edges, TP_EDGES_WALL, TP_EDGES_TILE));
     RANGE("courant", is_in_range(c->courant, TP_FX(0.05), TP_FX(0.8)));
     RANGE("damping", is_in_range(c->damping, 4, 10));
+    RANGE("interval", c->interval <= 2);
     RANGE("sponge", c->edges != TP_EDGES_SPONGE || is_in_range(c->sponge, 4, 64));
     RANGE("max_height",
           c->cells == TP_CELLS_32 || is_in_range(c->range, TP_FX(0.01), TP_FX(64)));
@@ -146,6 +157,11 @@ static tp_status check_size(const tp_pool_config *c, tp_error *err)
                              good_cols ? "rows" : "cols");
 }
 
+static tp_fx step_courant(const tp_pool_config *c)
+{
+    return c->courant * (1 << c->interval);
+}
+
 /* The message prints both numbers to three places.  A refused Courant number is 0.491 to
  * 0.8.  Its rounded value is always above the printed bound, which is rounded down. */
 static tp_status check_courant(const tp_pool_config *c, tp_error *err)
@@ -160,6 +176,23 @@ static tp_status check_courant(const tp_pool_config *c, tp_error *err)
                           "courant");
 }
 
+/* Checks the steps of several ticks; the bound is printed as a Courant number of a tick, to
+ * three places. */
+static tp_status check_interval(const tp_pool_config *c, tp_error *err)
+{
+    const uint32_t ticks = 1u << c->interval;
+
+    if (c->damping < 4 + c->interval)
+        return tp_error_add_word(err, TP_FAIL(err, TP_E_POOL_DAMPING, 0, ticks,
+                                              4 + c->interval), "interval");
+    const uint32_t bound = max_stable_courant_sq(c->damping - c->interval);
+    if (tp_pool_square_courant(step_courant(c)) <= bound)
+        return TP_OK;
+    return tp_error_add_word(err, TP_FAIL(err, TP_E_POOL_INTERVAL, 0, ticks,
+                                       tp_isqrt64((uint64_t)bound * 1000000 / 1024) / ticks),
+                          "interval");
+}
+
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
 {
     tp_status status = tp_pointer_check(config, "config", err);
@@ -170,6 +203,8 @@ tp_status tp_pool_check(const tp_pool_config *config, tp_error *err)
         status = check_numbers(config, err);
     if (status == TP_OK)
         status = check_courant(config, err);
+    if (status == TP_OK && config->interval > 0)
+        status = check_interval(config, err);
     if (status != TP_OK)
         return status;
     const tp_grey *mask = config->mask;
@@ -268,8 +303,8 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
         .rows = config->rows,
         .cells = config->cells,
         .edges = config->edges,
-        .courant_sq_q10 = tp_pool_square_courant(config->courant),
-        .damping = config->damping,
+        .courant_sq_q10 = tp_pool_square_courant(step_courant(config)),
+        .damping = config->damping - config->interval,
         .range = config->range,
         .cell = config->cell,
         .x = config->x,
@@ -279,6 +314,7 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
         .drive_min = config->drive_min, .drive_max = config->drive_max,
         .drive_amplitude = config->drive_amplitude, .random = 1, .at_rest = 1, .no_flux = 1,
         .walls = at.walls, .sponge = at.sponge, .scratch = at.scratch, .first = at.first,
+        .interval = config->interval,
     };
     set_height_and_slope_factors(pool);
     pool->drive_peak = tp_pool_from_metres(pool, config->drive_amplitude);
@@ -295,6 +331,7 @@ static bool is_same_block(const tp_pool *pool, const tp_pool_config *c)
 {
     return pool->cols == c->cols && pool->rows == c->rows && pool->cells == c->cells
         && pool->edges == c->edges && pool->cell == c->cell
+        && pool->interval == c->interval
         && (pool->range == c->range || pool->cells == TP_CELLS_32);
 }
 
@@ -302,8 +339,8 @@ bool tp_pool_set_config(tp_pool *pool, const tp_pool_config *config)
 {
     if (!is_same_block(pool, config) || tp_pool_check(config, NULL) != TP_OK)
         return false;
-    pool->courant_sq_q10 = tp_pool_square_courant(config->courant);
-    pool->damping = config->damping;
+    pool->courant_sq_q10 = tp_pool_square_courant(step_courant(config));
+    pool->damping = config->damping - config->interval;
     pool->range = config->range;        /* 32-bit cells ignore the range; it may differ */
     if (pool->sponge != 0)              /* the sponge is never weaker than the field */
         pool_set_sponge(pool, config->sponge);

@@ -24,6 +24,7 @@ typedef struct {
     tp_fx    courant;       /* Courant number r = wave speed x tick / cell, 0.05 to 0.49;
                              * the exact bound depends on the damping, see tp_pool_check */
     uint32_t damping;       /* m, 4..10: 2^-m of the motion is lost each tick */
+    uint32_t interval;      /* n, 0..2: the cells step in every 2^n-th tick, for 2^n ticks */
     uint32_t sponge;        /* width in cells, 4..64; for TP_EDGES_SPONGE */
     tp_fx    range;         /* height at the full range of 8- and 16-bit cells, m, 0.01..64;
                              * 32-bit cells are Q8.24 metres and ignore `range` */
@@ -43,28 +44,34 @@ typedef struct {
 typedef struct {
     uint32_t cols, rows;
     uint32_t cells, edges;          /* tp_cells, tp_edges */
-    uint32_t courant_sq_q10;        /* 1024 r^2, rounded */
-    uint32_t damping;               /* damping exponent m */
+    uint32_t courant_sq_q10;        /* 1024 r^2 of a step, rounded */
+    uint32_t damping;               /* damping exponent m of a step */
     tp_fx    range, cell, x, z;
     uint64_t turns_x, turns_z;      /* 2^64 / (cells x cell): the field is one turn */
     int32_t  unit_q, unit_shift;    /* fine height (subcell.c) to metres, 16.16: factor */
     int32_t  slope_q, slope_shift;  /* factor from a difference over two cells to a slope */
     tp_fx    drive_min, drive_max, drive_amplitude;
     int32_t  drive_peak;            /* height of an injection, LSB, adapted by [C16] */
-    uint32_t drive_ticks, drive_hits; /* of the current window: ticks, ticks with an
+    uint32_t drive_ticks, drive_hits; /* of the current window: steps, steps with an
                                      * injection */
     uint32_t random;                /* state of the drive's random sequence */
     uint32_t injections;            /* number of injections since init */
-    uint32_t gear;                  /* ticks left in gear A; 0: gear B [C11] */
+    uint32_t gear;                  /* steps left in gear A; 0: gear B [C11] */
     uint32_t at_rest;               /* true: all is still until the next injection */
     uint32_t no_flux;               /* 32 bits: no flux in the last step */
     uint32_t walls, sponge, scratch, first;    /* byte offsets from the head; 0: none */
+    uint32_t interval;              /* of the config */
     uint64_t tick;
 } tp_pool;
 
 /* Checks a config.  On failure err describes the fault, and err->word is the name of the
  * field.  r^2 beyond the bound of [C9], (1 - 1/(2 - delta)) / 2 with delta = 2^-damping, is
- * refused: the water would not come to rest, and little beyond would become unstable. */
+ * refused: the water would not come to rest, and little beyond would become unstable.
+ *
+ * A step in 2^n ticks has a time step 2^n times as long: r and delta of the step are 2^n
+ * times those of a tick, so waves keep their speed and their decay per second.  Both bounds
+ * hold for the step: damping - n is 4 or more, where 2^n 2^-damping is within 2.4 % of what
+ * 2^n ticks lose. */
 tp_status tp_pool_check(const tp_pool_config *config, tp_error *err);
 
 /* Returns the rounding noise of 8- and 16-bit cells in moving water [C8]: the rms of the
@@ -103,8 +110,23 @@ tp_status tp_pool_init(tp_pool *pool, const tp_pool_config *config, tp_error *er
  * valid or describes another block. */
 bool tp_pool_set_config(tp_pool *pool, const tp_pool_config *config);
 
-/* Computes one tick.  Accepts an r2q beyond the bound, set by hand: charts show the
- * result. */
+/* True if the cells step in the next tick. */
+static inline bool tp_pool_is_due(const tp_pool *pool)
+{
+    return (pool->tick & ((1u << pool->interval) - 1)) == 0;
+}
+
+/* Returns the fraction of a step, 0..1, from `lag` of a tick in the past to the last step.
+ * The surface between two steps is shown while the ticks of the later step pass, so it never
+ * jumps: the picture lags behind the cells by the ticks that a step has beyond the first. */
+static inline tp_fx tp_pool_step_lag(const tp_pool *pool, tp_fx lag)
+{
+    const uint32_t left = (0u - (uint32_t)pool->tick) & ((1u << pool->interval) - 1);
+    return ((tp_fx)left * TP_FX_ONE + lag) >> pool->interval;
+}
+
+/* Computes one tick: a step of the cells if it is due.  Accepts an r2q beyond the bound, set
+ * by hand: charts show the result. */
 void tp_pool_step(tp_pool *pool);
 
 /* Returns height and slopes at a point (x, z) of the world, by bilinear interpolation
@@ -134,7 +156,7 @@ int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres);     /* rounded t
 /* Returns a bound of |height| of the water, m. */
 tp_fx tp_pool_height_bound(const tp_pool *pool);
 
-/* Stored state of a cell: height and velocity of the last step in LSB; 0 in walls. */
+/* Stored state of a cell in LSB: height, and its change in the last step; 0 in walls. */
 int32_t tp_pool_height_lsb(const tp_pool *pool, uint32_t col, uint32_t row);
 int32_t tp_pool_velocity(const tp_pool *pool, uint32_t col, uint32_t row);
 bool    tp_pool_is_wall_or_outside(const tp_pool *pool, uint32_t col, uint32_t row);
@@ -184,6 +206,11 @@ enum { TP_FULL_8 = 127, TP_FULL_16 = 32767, TP_FULL_32 = (1 << 30) - 1 };
 /* Length of the window in which the drive counts its injections, ticks [C16]. */
 enum { TP_DRIVE_WINDOW = 64 };
 
+static inline uint32_t tp_pool_drive_window_steps(const tp_pool *pool)
+{
+    return (uint32_t)TP_DRIVE_WINDOW >> pool->interval;
+}
+
 /* Largest r2q of a step (r = 0.865): no product of a step overflows. */
 enum { TP_COURANT_SQ_MAX_Q10 = 767 };
 
@@ -215,7 +242,7 @@ static inline bool tp_pool_is_wall(const tp_pool *pool, uint32_t index)
     return pool->walls != 0 && (walls[index] & TP_WALL) != 0;
 }
 
-/* Returns 1024 r^2 for r < 1. */
+/* Returns 1024 r^2 for r < 4. */
 static inline uint32_t tp_pool_square_courant(tp_fx courant)
 {
     return (uint32_t)(((uint64_t)courant * (uint64_t)courant * 1024 + (1u << 31)) >> 32);

@@ -223,11 +223,11 @@ int32_t tp_pool_from_metres(const tp_pool *pool, tp_fx metres)
 
 /* -- the drive ----------------------------------------------------------------------- */
 
-/* The drive: random splashes that keep the water moving [C16].  Each tick whose heights
+/* The drive: random splashes that keep the water moving [C16].  Each step whose heights
  * have an rms below `drive_min` injects one splash at a random place.
  *
  * A splash of too small a height never lifts the rms into the band.  The height of the
- * splashes therefore adapts, once in a window of 64 ticks.  If at least half of the ticks
+ * splashes therefore adapts, once in a window of 64 ticks.  If at least half of its steps
  * injected, the height grows by an eighth.  Otherwise, if the rms is above `drive_max`, the
  * height shrinks again, but not below the configured height. */
 
@@ -270,7 +270,7 @@ static void inject_random_splash(tp_pool *pool)
 
     pool->drive_hits++;
     if (tp_pool_is_wall_or_outside(pool, col, row))
-        return;                                 /* the next tick tries another place */
+        return;                                 /* the next step tries another place */
     pool_add_splash_cells(pool, ((uint64_t)col << 32) + half,
                              ((uint64_t)row << 32) + half, drive_sigma, pool->drive_peak);
     pool->injections++;
@@ -282,7 +282,7 @@ static void adapt_splash_height(tp_pool *pool, bool above_band)
                   full = tp_pool_max_lsb(pool);
     const int32_t step = pool->drive_peak / 8 + 1;
 
-    if (2 * pool->drive_hits >= TP_DRIVE_WINDOW)
+    if (2 * pool->drive_hits >= tp_pool_drive_window_steps(pool))
         pool->drive_peak = pool->drive_peak < full - step ? pool->drive_peak + step : full;
     else if (above_band)
         pool->drive_peak =
@@ -296,6 +296,6 @@ void tp_pool_splash_if_quiet(tp_pool *pool)
 
     if (sum < sum_of_squares_at_rms(pool, pool->drive_min))
         inject_random_splash(pool);
-    if (++pool->drive_ticks == TP_DRIVE_WINDOW)
+    if (++pool->drive_ticks == tp_pool_drive_window_steps(pool))
         adapt_splash_height(pool, sum > sum_of_squares_at_rms(pool, pool->drive_max));
 }

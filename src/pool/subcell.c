@@ -9,7 +9,7 @@
 
 /* Fine heights of cells: the stored height with extra fraction bits for interpolation.
  * 8-bit cells get 16 more bits, 16-bit cells 8 more, 32-bit cells none.  `lag` is a
- * fraction of a tick into the past: the height was then H - lag V.  Neither the
+ * fraction of a step into the past: the height was then H - lag V.  Neither the
  * height H nor the last one, H - V, leaves the range of the cell, and all heights
  * between fit 31 bits. */
 
@@ -129,7 +129,7 @@ static int32_t fine_height_extended_into_wall(const tp_pool *pool, uint32_t col,
 typedef struct {
     uint32_t col[4], row[4];
     uint32_t s, t;              /* fraction from col[1], row[1] on, 1/65536 */
-    tp_fx    lag;               /* fraction of a tick into the past */
+    tp_fx    lag;               /* fraction of a step into the past */
 } patch;
 
 /* The fine heights of the cells of a patch, [row][column]. */
@@ -270,7 +270,7 @@ tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_f
     const uint32_t col = (uint32_t)(u >> 32), row = (uint32_t)(w >> 32);
     if (tp_pool_is_wall(pool, row * pool->cols + col))
         return (tp_height_slope){ 0 };
-    p.lag = lag;
+    p.lag = tp_pool_step_lag(pool, lag);
     p.s = find_neighbour_indices(u, pool->cols, tiled, p.col);
     p.t = find_neighbour_indices(w, pool->rows, tiled, p.row);
     if (pool->walls != 0)
@@ -365,11 +365,13 @@ void tp_pool_slopes(const tp_pool *pool, tp_fx lag, tp_fx gain, tp_pool_slope *t
     TP_ASSERT(lag >= 0 && lag <= TP_FX_ONE);
     TP_ASSERT(to != NULL);
     const bool tiled = pool->edges == TP_EDGES_TILE;
+    const tp_fx step_lag = tp_pool_step_lag(pool, lag);
 
     for (int32_t row = -1; row <= (int32_t)pool->rows; row++) {
         const pool_row l = { pool, tp_pool_wrap_or_mirror(row, pool->rows, tiled),
                          tp_pool_wrap_or_mirror(row - 1, pool->rows, tiled),
-                         tp_pool_wrap_or_mirror(row + 1, pool->rows, tiled), lag, gain };
+                         tp_pool_wrap_or_mirror(row + 1, pool->rows, tiled), step_lag,
+                         gain };
         write_slope_row(&l, to);
         to += pool->cols + 2;
     }

@@ -11,6 +11,7 @@ tp_pool_config tp_pools_config(const tp_scene *scene, const tp_assets *assets, b
         .cols = (uint32_t)pool->cols, .rows = (uint32_t)pool->rows,
         .cells = (tp_cells)pool->cell_bits, .edges = (tp_edges)pool->boundary,
         .courant = pool->courant, .damping = (uint32_t)pool->damping,
+        .interval = (uint32_t)pool->interval,
         .sponge = (uint32_t)pool->sponge, .range = pool->max_height, .cell = pool->cell,
         .x = pool->x, .z = pool->z, .drive_min = pool->drive_min,
         .drive_max = pool->drive_max, .drive_amplitude = pool->drive_amplitude,

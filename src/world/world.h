@@ -54,7 +54,7 @@ tp_fx    tp_clock_fraction(const tp_clock *clock);  /* rest of a tick, 0 <= f < 
 
 /* Version of the layout.  The version increases when the head or a chunk changes its
  * meaning; a block with another version is refused. */
-enum { TP_WORLD_VERSION = 5 };
+enum { TP_WORLD_VERSION = 6 };
 
 /* Module states follow this head as chunks: an id, a length, the bytes. */
 typedef struct {

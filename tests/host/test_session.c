@@ -313,7 +313,7 @@ static void a_cut_or_foreign_world_is_not_taken(void **state)
     put_byte(path, 7, TP_WORLD_VERSION - 1);
     listen();
     assert_false(take(&s));
-    assert_heard("holds a world of version 4, this program has version 5: a fresh start\n");
+    assert_heard("holds a world of version 5, this program has version 6: a fresh start\n");
     put_byte(path, 7, TP_WORLD_VERSION);
     assert_true(take(&s));
     assert_int_equal(truncate(path, size_of(path) - 1), 0);

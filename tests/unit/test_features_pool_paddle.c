@@ -34,6 +34,7 @@ static tp_pool *pool_for(const tp_scene_pool *s)
     tp_pool_config c = pool_config((tp_cells)s->cell_bits, (tp_edges)s->boundary,
                                    (uint32_t)s->cols, (uint32_t)s->rows);
     c.courant = s->courant;
+    c.interval = (uint32_t)s->interval;
     c.damping = (uint32_t)s->damping;
     c.sponge = (uint32_t)s->sponge;
     c.range = s->max_height;
@@ -128,6 +129,30 @@ static void waves_are_as_high_as_asked_for(void **state)
     assert_true(off[1].worst < 0.2);
 }
 
+/* Pushes and steps come together, every second or fourth tick. */
+static void slow_steps_make_the_same_waves(void **state)
+{
+    (void)state;
+    for (int interval = 0; interval <= 2; interval++)
+        for (int n = 0; n < 4; n++) {
+            tp_scene_pool s = scene_of(n % 2 ? TP_CELLS_32 : TP_CELLS_16,
+                                       n / 2 ? TP_EDGES_TILE : TP_EDGES_WALL, 0.12, 0.2, 2);
+            s.interval = interval;
+            const uint32_t wave = 14;       /* cells: 0.12 x 120 ticks */
+            tp_pool *pool = pool_for(&s);
+            for (uint32_t tick = 0; tick < 70 / 0.12; tick++) {
+                if (tp_pool_is_due(pool))
+                    tp_paddle_push(pool, &s, tick);
+                tp_pool_step(pool);
+            }
+            const double height = height_of(pool, wave, 3 * wave);
+            print_message("    %d ticks a step, %d: %.3f m of 0.2\n", 1 << interval, n,
+                          height);
+            assert_true(height > 0.17 && height < 0.23);
+            free(pool);
+        }
+}
+
 static void twice_the_height_is_twice_the_wave(void **state)
 {
     (void)state;
@@ -175,6 +200,7 @@ static void any_paddle_and_any_tick_are_taken(void **state)
                                    n % 4 ? 0.48 : 0.05, n % 5 ? 16 : 0.00002,
                                    n % 2 ? 60 : 0.1);
         s.rows = n % 7 ? 16 : 512;
+        s.interval = n % 4 ? 0 : n % 3;
         s.sponge = n % 2 ? 64 : 4;
         tp_pool *pool = pool_for(&s);
         for (int k = 0; k < 5; k++)
@@ -191,6 +217,7 @@ int main(void)
         cmocka_unit_test(the_sum_stays_exactly_0),
         cmocka_unit_test(the_sum_stays_0_where_walls_stand_in_a_paddle_s_way),
         cmocka_unit_test(waves_are_as_high_as_asked_for),
+        cmocka_unit_test(slow_steps_make_the_same_waves),
         cmocka_unit_test(twice_the_height_is_twice_the_wave),
         cmocka_unit_test(before_a_sponge_waves_go_south),
         cmocka_unit_test(any_paddle_and_any_tick_are_taken),

@@ -56,7 +56,8 @@ static bool refreshes(tp_scene scene, int32_t *(*number)(tp_scene *), int32_t va
     static int32_t *name(tp_scene *s) { return (int32_t *)&s->member; }
 NUMBER(pool_cols, pool.cols) NUMBER(pool_cells, pool.cell_bits) NUMBER(pool_cell, pool.cell)
 NUMBER(pool_range, pool.max_height) NUMBER(pool_edges, pool.boundary)
-NUMBER(field_cell, field.cell)
+NUMBER(field_cell, field.cell) NUMBER(pool_interval, pool.interval)
+NUMBER(field_interval, field.interval) NUMBER(foam_slices, foam.slices)
 NUMBER(field_rows, field.rows) NUMBER(drops_count, drops.count)
 NUMBER(drops_rings, drops.rings) NUMBER(drops_into, drops.target)
 NUMBER(floor_depth, floor.depth) NUMBER(wind, wind.strength)
@@ -109,6 +110,13 @@ static void what_cannot_be_tuned_asks_for_a_new_world(void **state)
     assert_false(refreshes(s, pool_range, s.pool.max_height + 1));
     assert_false(refreshes(s, pool_courant, TP_FX(0.7)));
     assert_false(refreshes(s, field_courant, TP_FX(0.7)));
+    s.pool.courant = s.field.courant = TP_FX(0.1);      /* the interval would be allowed */
+    assert_true(refreshes(s, pool_interval, 0));
+    assert_false(refreshes(s, pool_interval, 1));
+    assert_false(refreshes(s, field_interval, 1));
+    s.foam.cells = 16;
+    assert_true(refreshes(s, foam_slices, s.foam.slices));
+    assert_false(refreshes(s, foam_slices, 4));
     s.field.cols = 64;                  /* the same number of cells in another shape */
     s.field.rows = 16;
     tp_world *world = scene_world(&s, NULL);

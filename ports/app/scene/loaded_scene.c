@@ -42,22 +42,28 @@ static void report_clamps(const scene_file *file, const tp_deep_water *deep)
 
 /* True if the noise exceeds an eighth of the range: 8-bit cells then show little but their
  * own rounding errors. */
-static bool is_noisy(tp_fx courant, int32_t damping)
+static int64_t step_noise(tp_fx courant, const tp_scene_pool *pool)
 {
-    return tp_pool_rounding_noise(courant, (uint32_t)damping) > 16 * TP_FX_ONE;
+    return tp_pool_rounding_noise(courant * (1 << pool->interval),
+                                  (uint32_t)(pool->damping - pool->interval));
+}
+
+static bool is_noisy(tp_fx courant, const tp_scene_pool *pool)
+{
+    return step_noise(courant, pool) > 16 * TP_FX_ONE;
 }
 
 static void report_noise(const scene_file *file, const tp_scene_pool *pool,
                          const char *courant)
 {
-    const int64_t noise = tp_pool_rounding_noise(pool->courant, (uint32_t)pool->damping);
+    const int64_t noise = step_noise(pool->courant, pool);
     int  thousandths = 50;
     char who[300];
 
     if (pool->cols == 0 || pool->cell_bits != TP_CELLS_8
-        || !is_noisy(pool->courant, pool->damping))
+        || !is_noisy(pool->courant, pool))
         return;
-    while (is_noisy(thousandths * TP_FX_ONE / 1000, pool->damping))
+    while (is_noisy(thousandths * TP_FX_ONE / 1000, pool))
         thousandths++;
     scene_file_who(file, tp_param_find(courant, strlen(courant)), who, sizeof who);
     log_line("%s: 8-bit cells have noise of %d %% of their range; 0.%03d or more, or "

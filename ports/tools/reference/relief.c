@@ -94,7 +94,9 @@ static double pool_lsb(const tp_pool *pool)
 static void read_heights(ref_cells *c, const tp_pool *pool, double back)
 {
     const double lsb = pool_lsb(pool);
+    const uint32_t left = (0u - (uint32_t)pool->tick) & ((1u << pool->interval) - 1);
 
+    back = (left + back) / (1u << pool->interval);      /* of a step */
     for (int i = 0; i < c->cols * c->rows; i++) {
         const uint32_t col = (uint32_t)(i % c->cols), row = (uint32_t)(i / c->cols);
         c->wall[i] = tp_pool_is_wall_or_outside(pool, col, row);

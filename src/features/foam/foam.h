@@ -44,6 +44,9 @@ typedef struct {
     uint32_t sum[TP_FOAM_TICKS];        /* cover of a slice's rows at its last visit */
     uint32_t scratch;           /* byte offset of a row of positions; 0: none.  Over a map
                                  * of the floor a tp_foam_open follows the row */
+    uint32_t slices;            /* 1..16: visits to one of waves and walls, the scene's at
+                                 * init */
+    uint32_t unused;
 } tp_foam;
 
 /* Cover of the field's cells in open water over a map of the floor, and the shares 0..256 of

@@ -83,6 +83,7 @@ static tp_status init(void *mine, tp_world *world, const tp_module_conditions *c
     (void)err;
     foam->cells = cells;
     foam->cell = scene->foam.cell;
+    foam->slices = (uint32_t)scene->foam.slices;
     foam->scratch = conditions->above & TP_MODULE_COASTAL
                ? (uint32_t)(sizeof *foam + cover_bytes(cells)) : 0;
     centre_window_on_pool_or_eye(foam, world, scene);
@@ -254,7 +255,7 @@ static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scen
 
     v.kept_q24 = tp_foam_kept_share(scene->foam.fade);
     v.map = tp_foam_map(world);
-    v.slices = (uint32_t)scene->foam.slices;
+    v.slices = foam->slices;
 
     foam->drift_x = advance_drift(foam, foam->drift_x, scene->foam.map.drift_x, 0);
     foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
@@ -286,7 +287,7 @@ static bool is_valid(const void *mine, const void *fresh_state, const tp_world *
     const tp_foam *foam = mine, *fresh = fresh_state;
     const int64_t cells = fresh->cells, side = window_side_q32(fresh);
     bool valid = foam->cells == fresh->cells && foam->cell == fresh->cell
-              && foam->scratch == fresh->scratch
+              && foam->scratch == fresh->scratch && foam->slices == fresh->slices
               && foam->drift_x >= 0 && foam->drift_x < side
               && foam->drift_z >= 0 && foam->drift_z < side
               && is_window_valid(fresh, foam->first_x, 2 * cells)
@@ -303,12 +304,13 @@ static bool is_valid(const void *mine, const void *fresh_state, const tp_world *
 
 /* -- the module ---------------------------------------------------------------------- */
 
-/* True if the cells match the scene.  A change of the cells' number or size loses the
- * cover. */
+/* True if the state matches the scene.  A change of the cells' number or size loses the
+ * cover; foam in other slices is another world. */
 static bool fits(const void *mine, const tp_scene *scene)
 {
     const tp_foam *foam = mine;
-    return foam->cells == (uint32_t)scene->foam.cells && foam->cell == scene->foam.cell;
+    return foam->cells == (uint32_t)scene->foam.cells && foam->cell == scene->foam.cell
+        && foam->slices == (uint32_t)scene->foam.slices;
 }
 
 static void step(void *mine, const tp_program *program, tp_world *world,

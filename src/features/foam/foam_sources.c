@@ -169,6 +169,7 @@ void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
         int64_t most = tp_pool_height_bound(m->pool),
                 full = tp_pool_from_metres(m->pool, (tp_fx)most);
         m->per_lsb = full > 0 ? (most * TP_TICKS_PER_SECOND << 32) / full : 0;
+        m->per_lsb >>= m->pool->interval;   /* a change in so many ticks */
     }
     if (m->coastal) {
         m->deep = tp_coastal_breaking_foam_depth(m->coastal);

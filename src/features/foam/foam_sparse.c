@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Foam in slices, by the scene's foam.slices = n of 2 or more: cover fades and hulls foam at
- * every visit, as with one slice; waves and walls foam at every n-th visit of a row, for n
- * visits at once.  Rows take turns in pairs of lattice rows, so each tick has its n-th part.
+/* Foam in slices, n = 2 or more by foam.slices at init: cover fades and hulls foam at every
+ * visit, as with one slice; waves and walls foam at every n-th visit of a row, for n visits
+ * at once.  Rows take turns in pairs of lattice rows, so each tick has its n-th part.
  *
  * The gain of waves is sampled at every second cell of the line between the two rows and
  * linear between.  Open coastal water counts as deep water: its crests foam by the Jacobian

@@ -26,8 +26,8 @@ typedef struct {
     int32_t  push;              /* maximum per tick, LSB */
 } stroke;
 
-/* Returns om / 2, a turn.  The period is at least 0.1 s, so the result is below 1/12
- * turn. */
+/* Returns om / 2 of a tick, a turn.  The period is at least 0.1 s, so the result is below
+ * 1/12 turn. */
 static tp_turn half_phase_per_tick(const tp_scene_pool *scene)
 {
     TP_ASSERT(scene->paddle_period > 0);
@@ -35,16 +35,19 @@ static tp_turn half_phase_per_tick(const tp_scene_pool *scene)
                                             * TP_TICKS_PER_SECOND));
 }
 
-/* Returns the rows and the push for the scene's wave.  The amplitude, half of the height,
- * has 29 bits; the push is below 2^60 before its division.  The push is at most the
- * amplitude, so a pool too short for its wave gets a lower wave.  The shortest waves of a
- * grid do not travel, so k is clamped just below 1/2 turn. */
+/* Returns the rows and the push for the scene's wave; tick, r and om are those of a step.
+ * Four ticks have a phase om / 2 below 1/3 turn, of a positive sine.  The amplitude, half
+ * of the height, has 29 bits; the push is below 2^60 before its division.  The push is at
+ * most the amplitude, so a pool too short for its wave gets a lower wave.  The shortest
+ * waves of a grid do not travel, so k is clamped just below 1/2 turn. */
 static stroke compute_stroke(const tp_pool *pool, const tp_scene_pool *scene)
 {
     TP_ASSERT(scene->courant > 0 && scene->paddle >= 0);
     bool    walls = pool->edges == TP_EDGES_WALL;
     stroke  s = { .row = pool->edges == TP_EDGES_SPONGE ? (uint32_t)scene->sponge : 0 };
-    int64_t sine = (int64_t)tp_sin(half_phase_per_tick(scene)) * TP_FX_ONE / scene->courant;
+    const tp_turn step_half = half_phase_per_tick(scene) << pool->interval;
+    const tp_fx courant = scene->courant * (1 << pool->interval);
+    int64_t sine = (int64_t)tp_sin(step_half) * TP_FX_ONE / courant;
 
     sine = sine < TP_Q30(0.99) ? sine : TP_Q30(0.99);
     int64_t cosine = tp_isqrt64(((uint64_t)1 << 60) - (uint64_t)(sine * sine));
@@ -56,7 +59,7 @@ static stroke compute_stroke(const tp_pool *pool, const tp_scene_pool *scene)
     int64_t share = walls ? cosine - tp_cos(half * (2 * s.apart + 1))
                           : tp_sin(half * s.apart);
     int64_t most_push = tp_pool_from_metres(pool, scene->paddle) / 2;
-    int64_t push = (most_push * scene->courant >> 16) * cosine;
+    int64_t push = (most_push * courant >> 16) * cosine;
     s.push = (int32_t)(push < most_push * share ? push / share : most_push);
     return s;
 }
@@ -105,9 +108,9 @@ static void step_paddle(void *mine, const tp_program *program, tp_world *world,
     tp_pool *pool = tp_world_mutable_pool(world), *field = tp_world_mutable_field(world);
 
     (void)mine, (void)program, (void)input;
-    if (pool && has_paddle(&scene->pool))
+    if (pool && has_paddle(&scene->pool) && tp_pool_is_due(pool))
         tp_paddle_push(pool, &scene->pool, world->tick);
-    if (field && has_paddle(&scene->field))
+    if (field && has_paddle(&scene->field) && tp_pool_is_due(field))
         tp_paddle_push(field, &scene->field, world->tick);
 }
 
