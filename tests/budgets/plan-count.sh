@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Compares the plan's estimate of a frame's cost with the counted cost: within 10 % for
-# each shipped scene. The counts are those of scenes.csv, which scenes-count.sh checks;
+# each shipped scene; and its estimate of a tick's cost: within 15 % for scenes whose ticks
+# are pools and foam. The counts are those of scenes.csv, which scenes-count.sh checks;
 # nothing is drawn here.
 #
 #   tests/budgets/plan-count.sh             the test
@@ -33,18 +34,39 @@ if [ -n "$rows" ]; then
     exit
 fi
 
-near()          # FILE PERCENT
+# scene predicted counted, of ticks
+ticks()
 {
-    awk -v room="$2" '
+    for name in harbour harbour+cheap pond tank deep-sea night-sea three-swells from-above
+    do
+        options=
+        case $name in *+cheap) options=$(sed -n "s/^${name%+cheap} //p" \
+            tests/budgets/cheapest.txt) ;; esac
+        counted=$(awk -F, -v s="$name" '$1 == s && $2 == "tick" { print $3 }' \
+            tests/budgets/scenes.csv)
+        # shellcheck disable=SC2086
+        "$program" plan "${name%+cheap}" --size 320x240 --csv $options |
+            awk -F, -v s="$name" -v counted="$counted" \
+                '$1 == "tick" && $2 == "" { print s, $4, counted }'
+    done
+}
+
+near()          # FILE PERCENT SCENES
+{
+    awk -v room="$2" -v least="$3" '
         { off = 100 * $2 / $3 - 100; scenes++
           printf "    %-14s %8.2f M predicted %8.2f M counted %+6.1f %%\n", $1, $2 / 1e6,
               $3 / 1e6, off
           if (off > room || off < -room) bad = 1 }
-        END { exit bad || scenes < 10 }' "$1"
+        END { exit bad || scenes < least }' "$1"
 }
 
 both >"$scratch/both"
-check "every scene costs what the plan says, within 10 %" near "$scratch/both" 10
+check "every scene costs what the plan says, within 10 %" near "$scratch/both" 10 10
 awk '{ $2 *= 1.25; print }' "$scratch/both" >"$scratch/dear"
-refuse "prices that are a quarter dearer" near "$scratch/dear" 10
+refuse "prices that are a quarter dearer" near "$scratch/dear" 10 10
+ticks >"$scratch/ticks"
+check "a tick costs what the plan says, within 15 %" near "$scratch/ticks" 15 8
+awk '{ $2 *= 1.35; print }' "$scratch/ticks" >"$scratch/dear"
+refuse "ticks that are a third dearer" near "$scratch/dear" 15 8
 finish

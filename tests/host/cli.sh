@@ -186,7 +186,7 @@ same "params shows a scene's values" "$code $(grep -c '^wave0.steepness *0.25 ' 
 
 # -- the plan -----------------------------------------------------------------------
 
-for scene in count-64 three-swells pond; do
+for scene in count-64 three-swells pond harbour; do
     fits plan $scene --size 320x240
 done
 fits plan three-swells --size 4096x4096 --set water.specular=4
@@ -204,6 +204,21 @@ same "what the scene names is taken" \
 run plan minimal --csv --visibility rows
 same "and what the command line names" \
     "$(grep -c '^visibility,rows,set by the scene,' out)" 1
+# The plan's values of the world are settings that --set takes, at the cost that it says.
+run plan pond --csv
+same "a pond's ticks are in its plan" \
+    "$code $(grep -c '^tick,' out) $(awk -F, 'NF != 7' out | wc -l)" "0 4 0"
+awk -F, '$1 == "tick" { print $2 "," $4 }' out >ticks
+while IFS=, read -r settings cost; do
+    set --
+    for setting in $settings; do set -- "$@" --set "$setting"; done
+    run plan pond --csv "$@"
+    awk -F, '$1 == "tick" && $2 == "" { print $4 }' out >>again
+    echo "$cost" >>said
+done <ticks
+same "each costs a tick what the plan says" "$(cat again)" "$(cat said)"
+same "the first is the scene's own and the dearest" "$(sort -rn said | head -1)" \
+    "$(head -1 said)"
 cost_of() {
     run plan "$1" --csv --size 320x240 --set "quality.error_px=$2" \
         --set "quality.error_colour=$2"

@@ -7,6 +7,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "app/scene/plan_sheet.h"
+#include "app/scene/world_rungs.h"
 #include "command_help.h"
 #include "commands.h"
 #include "frame/tools.h"
@@ -19,6 +20,7 @@
 typedef struct {
     loaded_scene     *loaded;
     plan_sheet sheet;
+    world_rungs world;
 } plan;
 
 /* -- output for programs ------------------------------------------------------------- */
@@ -42,6 +44,11 @@ static void print_csv(const plan *p)
                 printf(",,");
             printf(",%zu\n", p->sheet.bytes[k][i]);
         }
+    if (p->world.now.mean)
+        printf("tick,,,%" PRIu64 ",,,\n", p->world.now.mean);
+    for (int i = 0; i < p->world.count; i++)
+        printf("tick,%s,changes the world,%" PRIu64 ",,,\n", p->world.rung[i].text,
+               p->world.rung[i].cost.mean);
     printf("total,,,%" PRIu64 ",%s,%s,%zu\n", r->total.cost,
            plan_number(r->total.error_px, px),
            plan_number(r->total.error_colour, colour),
@@ -109,6 +116,37 @@ static void print_total(const plan *p)
          "\nErrors: the largest measured, beyond those of the exact rungs.");
 }
 
+/* Prints settings as options, in lines of at most 80 columns. */
+static void print_settings(const char *text)
+{
+    int column = 0;
+
+    for (size_t bytes; *text; text += bytes + (text[bytes] == ' ')) {
+        bytes = strcspn(text, " ");
+        if (column + 7 + (int)bytes > 80)
+            column = 0, puts("");
+        column += printf("%s--set %.*s", column ? " " : "    ", (int)bytes, text);
+    }
+    puts("");
+}
+
+/* Prints the values of the scene that make a tick cheaper. */
+static void print_world(const world_rungs *w)
+{
+    if (w->now.mean == 0)
+        return;
+    printf("\na tick: about %.2f M instructions, the dearest %.2f M\n",
+           (double)w->now.mean / 1e6, (double)w->now.most / 1e6);
+    if (w->count)
+        puts("Values of the scene that make it cheaper.  They change the water: only the"
+             " scene\nor --set sets them, for render, bake and tapes alike.");
+    for (int i = 0; i < w->count; i++) {
+        printf("  %.2f M, the dearest %.2f M:\n", (double)w->rung[i].cost.mean / 1e6,
+               (double)w->rung[i].cost.most / 1e6);
+        print_settings(w->rung[i].text);
+    }
+}
+
 static int run(const options *o)
 {
     loaded_scene s;
@@ -117,6 +155,7 @@ static int run(const options *o)
 
     if (!code) {
         p.sheet = plan_sheet_make(&s);
+        p.world = world_rungs_find(&s);
         if (o->csv)
             print_csv(&p);
         else {
@@ -125,6 +164,7 @@ static int run(const options *o)
                 for (int i = 0; i < p.sheet.report.rung_count[k]; i++)
                     print_rung(&p, k, i);
             print_total(&p);
+            print_world(&p.world);
         }
     }
     loaded_scene_close(&s);

@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: MIT */
+/* A tick's cost: instructions a cell, counted on a Cortex-M4, times the cells of a world that
+ * has run for a second.  Still cells cost less than moving ones, so the world is needed. */
+#include "tick_cost.h"
+#include <stdlib.h>
+#include "features/foam/foam_visit.h"
+#include "loaded_scene.h"
+#include "waves/coastal_tables.h"
+#include "world/pools.h"
+#include "world/world.h"
+
+#define WARM 60                 /* ticks before the estimate, as in the budgets */
+#define TICKS 8                 /* of the estimate: whole steps of pools, a round of foam */
+
+/* -- pools --------------------------------------------------------------------------- */
+
+typedef struct { double still, moving; } cell_cost;
+
+/* Costs of a cell by its bits, without inner walls, with walls and with a sponge.  Moving
+ * cells: assets/charts/pool.csv at 64 x 64 cells.  Still cells, and inner walls: counted
+ * ticks of harbour and tank.  Cells of 32 bits cost the same in either. */
+static const cell_cost cell_costs[3][3] = {
+    [TP_CELLS_8] = { { 25, 37 }, { 32, 49 }, { 50, 81 } },
+    [TP_CELLS_16] = { { 23, 39 }, { 32, 51 }, { 50, 82 } },
+    [TP_CELLS_32] = { { 109, 109 }, { 122, 122 }, { 138, 138 } },
+};
+
+#define PADDLE_COLUMN 336       /* a push of two cells */
+#define DRIVE_CELL 15           /* the rms of heights, a cell */
+#define INJECTION 190000        /* a splash of the drive */
+
+static uint32_t count_moving_cells(const tp_pool *pool)
+{
+    uint32_t count = 0;
+
+    for (uint32_t row = 0; row < pool->rows; row++)
+        for (uint32_t col = 0; col < pool->cols; col++)
+            count += tp_pool_velocity(pool, col, row) != 0;
+    return count;
+}
+
+/* Returns the cost of a step; `injected`: splashes of the drive in it. */
+static double step_cost(const tp_pool *pool, const tp_scene_pool *scene, uint32_t injected)
+{
+    const cell_cost *cost =
+        &cell_costs[pool->cells][pool->sponge != 0 ? 2 : pool->walls != 0];
+    const double cells = tp_pool_count(pool), moving = count_moving_cells(pool);
+    const double step = pool->at_rest ? 0
+                      : cost->still * (cells - moving) + cost->moving * moving;
+
+    return step + (scene->paddle > 0 ? PADDLE_COLUMN * (double)pool->cols : 0)
+         + (scene->drive_min > 0 ? DRIVE_CELL * cells : 0) + INJECTION * (double)injected;
+}
+
+/* Steps the world by a tick and returns the cost of its pools. */
+static double step_pools(tp_world *world, const tp_scene *scene)
+{
+    const tp_scene_pool *of[2] = { &scene->pool, &scene->field };
+    const tp_pool *pool[2] = { tp_world_pool(world), tp_world_field(world) };
+    uint32_t before[2] = { 0, 0 };
+    bool due[2] = { false, false };
+    double cost = 0;
+
+    for (int i = 0; i < 2; i++)
+        if (pool[i]) {
+            due[i] = tp_pool_is_due(pool[i]);
+            before[i] = pool[i]->injections;
+        }
+    tp_world_step(&tp_program_all, world, scene, NULL);
+    for (int i = 0; i < 2; i++)
+        if (due[i])
+            cost += step_cost(pool[i], of[i], pool[i]->injections - before[i]);
+    return cost;
+}
+
+/* -- foam ---------------------------------------------------------------------------- */
+
+/* Costs of a visit of a cell.  Sources are asked at each visit, or with n slices at every
+ * n-th; waves are then sampled at every second cell of every second row. */
+#define VISIT 91                /* gain and cover */
+#define VISIT_SLICED 19         /* without sources: an empty cell */
+#define FADE 33                 /* a cell with cover, in addition */
+#define WALL 445                /* the speed along a pool's walls */
+#define HULL_FAR 22             /* a cell beyond the foam of a hull */
+#define HULL_NEAR 150
+#define DEEP 35                 /* the Jacobian of deep water, and of each wave */
+#define DEEP_WAVE 69
+#define COASTAL 320             /* coastal water, and each wave */
+#define COASTAL_WAVE 354
+#define MAP_WAVE 266            /* each wave over a map of the floor, in addition */
+
+static double covered_share(const tp_foam *foam)
+{
+    const uint8_t *cover = (const uint8_t *)(foam + 1);
+    const size_t cells = (size_t)foam->cells * foam->cells;
+    size_t count = 0;
+
+    for (size_t i = 0; i < cells; i++)
+        count += cover[i] != 0;
+    return (double)count / (double)cells;
+}
+
+/* Returns the cost of a hull's foam for a cell: the share of the window in reach. */
+static double hull_cost(const tp_foam_maker *m, const tp_foam *foam)
+{
+    const double side = (double)foam->cells * foam->cell, reach = 2.0 * m->hull.foam_radius;
+    const double near = reach < side ? reach * reach / side / side : 1;
+
+    return m->has_hull ? HULL_FAR + near * HULL_NEAR : 0;
+}
+
+/* Returns the share of the foam's window over water. */
+static double wet_share(const tp_coastal_water *coastal, const tp_foam *foam)
+{
+    int32_t wet = 0, all = 0;
+
+    for (int32_t j = 0; j < (int32_t)foam->cells; j += 4)
+        for (int32_t i = 0; i < (int32_t)foam->cells; i += 4, all++) {
+            const tp_fx x = tp_foam_cell_centre(foam, foam->first_x + i, foam->drift_x);
+            const tp_fx z = tp_foam_cell_centre(foam, foam->first_z + j, foam->drift_z);
+            wet += tp_coastal_floor(coastal, x, z).depth > 0;
+        }
+    return (double)wet / all;
+}
+
+static double wave_cost(const tp_world *world, const tp_scene *scene, const tp_foam *foam)
+{
+    const tp_coastal_water *coastal = tp_world_coastal(world);
+    const double waves = world->deep.count;
+
+    if (!coastal)
+        return DEEP + DEEP_WAVE * waves;
+    const double wave = COASTAL_WAVE + (scene->floor.map[0] ? MAP_WAVE : 0);
+    return (COASTAL + wave * waves) * wet_share(coastal, foam);
+}
+
+/* Returns the mean cost of a tick's visits. */
+static double foam_cost(const tp_world *world, const tp_scene *scene)
+{
+    tp_foam *foam = tp_foam_of_world(world);
+    tp_foam_maker m;
+
+    if (!foam)
+        return 0;
+    tp_foam_maker_begin(&m, foam, world, scene);
+    const double n = foam->slices, visits = (double)foam->cells * foam->cells / TP_FOAM_TICKS;
+    const double walls = m.pool ? WALL : 0, hull = hull_cost(&m, foam);
+    const bool foams = foam->slices > 1 ? tp_foam_maker_has_waves(&m)
+                                        : m.coastal || scene->foam.crest > 0;
+    const double waves = foams ? wave_cost(world, scene, foam) : 0;
+
+    if (n > 1)
+        return visits * (VISIT_SLICED + FADE * covered_share(foam) + (VISIT + walls) / n
+                         + waves / (4 * n) + 0.4 * hull);
+    return visits * (VISIT + walls + waves + hull);
+}
+
+/* ----------------------------------------------------------------------------------- */
+
+bool tick_cost_estimate(const tp_scene *scene, const tp_assets *assets, tick_cost *cost)
+{
+    size_t bytes;
+    tp_world *world = loaded_scene_new_world(scene, assets, &bytes, &(tp_error){ 0 });
+    double sum = 0, most = 0;
+
+    if (!world)
+        return false;
+    for (int i = 0; i < WARM; i++)
+        tp_world_step(&tp_program_all, world, scene, NULL);
+    for (int i = 0; i < TICKS; i++) {
+        const double pools = step_pools(world, scene);
+        sum += pools;
+        most = pools > most ? pools : most;
+    }
+    const double foam = foam_cost(world, scene);
+    free(world);
+    *cost = (tick_cost){ (uint64_t)(sum / TICKS + foam), (uint64_t)(most + foam) };
+    return true;
+}
