@@ -42,8 +42,7 @@ static const command_help_row rows[] = {
       "NAME_scene and NAME_assets.  The head of the file declares them and gives their\n"
       "bytes.  --size or --format adds NAME_program, the list of modules that the scene\n"
       "needs at this size and format: a build that links it contains no other modules\n"
-      "and draws the same bits.  --set bakes other values of the scene; `tidepool plan`\n"
-      "lists those that make a tick of the world cheaper.\n",
+      "and draws the same bits.  `tidepool plan` lists values that make ticks cheaper.\n",
       "The file compiles with -I for the folder of tidepool/modules.h, nothing else.\n",
       CHECKS, "the program would draw another picture" },
     { FOR_PLAN, "tidepool plan SCENE [OPTION]...",
@@ -53,8 +52,8 @@ static const command_help_row rows[] = {
       "rung.  The plan takes the cheapest rungs within quality.error_px and\n"
       "quality.error_colour.  A rung that the scene names (quality.visibility, shading,\n"
       "rate) is taken whatever its error.\n"
-      "For a scene with pools or foam it prints the estimated cost of a tick, and values\n"
-      "of the scene that make a tick cheaper and change the water, as options --set.\n",
+      "For pools and foam it also estimates the cost of a tick, and lists values of the\n"
+      "scene that make ticks cheaper; they change the water, so only --set takes them.\n",
       "", USUAL, NULL },
     { FOR_CHECK, "tidepool check SCENE [--write]\ntidepool check --vectors DIR",
       "Checks SCENE, a shipped scene or an INI file: every line, the files that it\n"

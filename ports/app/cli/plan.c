@@ -116,34 +116,43 @@ static void print_total(const plan *p)
          "\nErrors: the largest measured, beyond those of the exact rungs.");
 }
 
-/* Prints settings as options, in lines of at most 80 columns. */
+/* Prints settings in a line; of a group of rows only the first has the group's name. */
 static void print_settings(const char *text)
 {
-    int column = 0;
+    const char *last = "";
+    size_t group = 0;
 
     for (size_t bytes; *text; text += bytes + (text[bytes] == ' ')) {
         bytes = strcspn(text, " ");
-        if (column + 7 + (int)bytes > 80)
-            column = 0, puts("");
-        column += printf("%s--set %.*s", column ? " " : "    ", (int)bytes, text);
+        const size_t name = strcspn(text, ".");
+        const bool again = name == group && strncmp(text, last, name) == 0;
+        printf(" %.*s", (int)(bytes - (again ? name : 0)), text + (again ? name : 0));
+        last = text;
+        group = name;
     }
     puts("");
 }
 
-/* Prints the values of the scene that make a tick cheaper. */
+#define WORLD_LINES 3           /* the plan of a shipped scene fits 24 lines */
+
+/* Prints the cheapest values of the scene that make a tick cheaper, and last all together. */
 static void print_world(const world_rungs *w)
 {
     if (w->now.mean == 0)
         return;
-    printf("\na tick: about %.2f M instructions, the dearest %.2f M\n",
-           (double)w->now.mean / 1e6, (double)w->now.most / 1e6);
-    if (w->count)
-        puts("Values of the scene that make it cheaper.  They change the water: only the"
-             " scene\nor --set sets them, for render, bake and tapes alike.");
+    printf("a tick: %.2f M instructions, at most %.2f M%s\n", (double)w->now.mean / 1e6,
+           (double)w->now.most / 1e6,
+           w->count == 0            ? ""
+           : w->count > WORLD_LINES ? "; with other water, by --set (--csv: more):"
+                                    : "; with other water, by --set:");
     for (int i = 0; i < w->count; i++) {
-        printf("  %.2f M, the dearest %.2f M:\n", (double)w->rung[i].cost.mean / 1e6,
-               (double)w->rung[i].cost.most / 1e6);
-        print_settings(w->rung[i].text);
+        if (i >= WORLD_LINES - 1 && i + 1 < w->count)
+            continue;
+        printf(" %.2f M:", (double)w->rung[i].cost.mean / 1e6);
+        if (w->rung[i].all)
+            puts(" all values that make it cheaper");
+        else
+            print_settings(w->rung[i].text);
     }
 }
 

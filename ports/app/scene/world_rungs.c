@@ -24,6 +24,16 @@ static bool double_interval(tp_scene_pool *p)
     return has;
 }
 
+/* Returns twice a length, m; a whole number of millimetres if the double of the rounded
+ * length is next to one. */
+static tp_fx twice_length(tp_fx length)
+{
+    const int64_t millimetres = ((int64_t)length * 2000 + 0x8000) >> 16;
+    const tp_fx whole = (tp_fx)((millimetres * 65536 + 500) / 1000), twice = 2 * length;
+
+    return tp_abs(whole - twice) <= 1 ? whole : twice;
+}
+
 /* Half as many cells a side, of twice the side.  The Courant number is halved with the cell,
  * so waves keep their speed, and steps of twice the ticks keep that of a step. */
 static bool halve_cells(tp_scene_pool *p)
@@ -34,8 +44,8 @@ static bool halve_cells(tp_scene_pool *p)
         return false;
     p->cols /= 2;
     p->rows /= 2;
-    p->cell *= 2;
-    p->courant /= 2;
+    p->cell = twice_length(p->cell);
+    p->courant = (p->courant + 1) / 2;
     p->interval++;
     if (p->boundary == TP_EDGES_SPONGE)
         p->sponge = p->sponge / 2 > 4 ? p->sponge / 2 : 4;
@@ -82,8 +92,20 @@ static void write_settings(const tp_scene *from, const tp_scene *to, char *text,
     }
 }
 
+/* Moves the last rung to its place by cost, the cheapest first. */
+static void sort_last(world_rungs *to)
+{
+    for (int i = to->count - 1; i > 0; i--) {
+        const world_rung rung = to->rung[i];
+        if (to->rung[i - 1].cost.mean <= rung.cost.mean)
+            return;
+        to->rung[i] = to->rung[i - 1];
+        to->rung[i - 1] = rung;
+    }
+}
+
 /* Adds the changed scene if its world can be made and its ticks cost less. */
-static bool add_rung(world_rungs *to, const loaded_scene *s, const tp_scene *scene)
+static bool add_rung(world_rungs *to, const loaded_scene *s, const tp_scene *scene, bool all)
 {
     world_rung *rung = &to->rung[to->count];
 
@@ -91,7 +113,10 @@ static bool add_rung(world_rungs *to, const loaded_scene *s, const tp_scene *sce
         || rung->cost.mean >= to->now.mean)
         return false;
     write_settings(&s->file.scene, scene, rung->text, sizeof rung->text);
+    rung->all = all;
     to->count++;
+    if (!all)
+        sort_last(to);
     return true;
 }
 
@@ -106,11 +131,10 @@ world_rungs world_rungs_find(const loaded_scene *s)
         return found;
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         tp_scene changed = *scene;
-        if (!changes[i](&changed) || !add_rung(&found, s, &changed))
-            continue;
-        changes[i](&all);
+        if (changes[i](&changed) && add_rung(&found, s, &changed, false))
+            changes[i](&all);
     }
     if (found.count > 1)
-        add_rung(&found, s, &all);
+        add_rung(&found, s, &all, true);
     return found;
 }

@@ -11,6 +11,7 @@
 typedef struct {
     char text[512];             /* settings apart by spaces: "pool.cols=48 pool.rows=48" */
     tick_cost cost;             /* of a tick with them */
+    bool all;                   /* all other rungs together */
 } world_rung;
 
 typedef struct {
@@ -20,6 +21,7 @@ typedef struct {
 } world_rungs;
 
 /* Finds the rungs of a scene that make a tick cheaper and that its checks accept, each
- * alone, and last all together if there are several.  Runs a second of the scene for each. */
+ * alone, the cheapest first, and last all together if there are several.  Runs a second of
+ * the scene for each. */
 world_rungs world_rungs_find(const loaded_scene *s);
 #endif
