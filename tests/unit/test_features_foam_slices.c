@@ -141,6 +141,28 @@ static void slices_keep_the_mean_cover(void **state)
 
 /* -- without sources ----------------------------------------------------------------- */
 
+/* Foam along walls counts the speed of the water a second, however long a step of the pool
+ * takes. */
+static void slow_steps_of_a_pool_foam_alike(void **state)
+{
+    (void)state;
+    double mean[3];
+
+    for (int32_t n = 0; n < 3; n++) {
+        tp_scene s = walls(1);
+        s.pool.courant = TP_FX(0.12);
+        s.pool.damping = 8;
+        s.pool.splash_interval = TP_FX(0.25);
+        s.pool.splash_height = TP_FX(0.8);
+        s.pool.splash_width = TP_FX(1.5);
+        s.pool.interval = n;
+        mean[n] = run(&s).mean;
+        print_message("    %d ticks a step: mean %.3f\n", 1 << n, mean[n]);
+        assert_true(mean[n] > 0.9 * mean[0] && mean[n] < 1.1 * mean[0]);
+    }
+    assert_true(mean[0] > 0.5);
+}
+
 static tp_scene level_water(int32_t slices)
 {
     tp_scene s;
@@ -211,6 +233,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slices_keep_the_mean_cover),
+        cmocka_unit_test(slow_steps_of_a_pool_foam_alike),
         cmocka_unit_test(foam_at_rest_fades_alike_and_to_nothing),
         cmocka_unit_test(foam_of_an_impact_on_an_empty_field_is_visited),
     };
