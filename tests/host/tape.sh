@@ -95,6 +95,27 @@ same "blanks around and between" "$(hashes minimal --tape blank.tape)" "$walk"
 { head -2 walk.tape; printf '# %0900d 2 ahead=9\n' 7; sed 1,2d walk.tape; } >long.tape
 same "a long comment is one comment" "$(hashes minimal --tape long.tape)" "$walk"
 
+# Values that change the world: on a tape, and from the first tick on.
+slow="--set pool.courant=0.2 --set pool.interval=2 --set foam.cells=32 --set foam.slices=4"
+printf 'tape 2 pond\n3 drops=2\n9 poke=0.3\n' >slow.tape
+printf 'tape 2 pond\n3 drops=2\n5 set pool.courant=0.2\n6 set pool.interval=2\n' >edit.tape
+printf 'tape 2 pond\n5 set pool.interval=2\n' >fast.tape
+# shellcheck disable=SC2086
+{
+calm=$(hashes pond --tape slow.tape $slow)
+same "slow steps of a pool play" "$(echo "$calm" | sort -u -k4 | wc -l)" 40
+same "and twice alike" "$(hashes pond --tape slow.tape $slow)" "$calm"
+same "and with any tiling" "$(hashes pond --tape slow.tape $slow --strip 16)" "$calm"
+same "from the middle too, between two steps" "$(timeout 60 "$program" render pond \
+    --size 48x32 --frames 33:39 --hash --tape slow.tape $slow 2>err)" \
+    "$(echo "$calm" | tail -7)"
+}
+edited=$(hashes pond --tape edit.tape)
+same "a tape sets them while the water moves" "$(hashes pond --tape edit.tape)" "$edited"
+run render pond --size 48x32 --frames 9:9 --hash --tape fast.tape
+same "too long a step names its line of the tape" "$code $(grep -c \
+    '^fast.tape:2: pool.interval: a step in 2 ticks takes a courant up to 0.249' err)" "3 1"
+
 # From the stern of a steered boat: replays and tilings equal to the bit.
 { echo "tape 2 three-swells"; echo "2 throttle=6 rudder=20"; echo "9 ahead=0.5"
   echo "15 throttle=6 turn=20000000"; } >deck.tape
