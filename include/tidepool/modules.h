@@ -103,7 +103,8 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(rungs)            /* the quality plan */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
-    X(fast_waves)       /* vertices in 32 bits, for quality.waves */
+    X(fast_waves)       /* vertices in 32 bits, for quality.waves */ \
+    X(packed_rows)      /* means of rgb565 pixels, for quality.blending */
 
 /* Renderers of the water's surface, see tp_visibility. */
 #define TP_METHOD_LIST(X) \

@@ -95,7 +95,9 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(lines, "auto|all|half", 2, "rows of water: each shaded, or every second one") \
     X(rows, "auto|exact|fast|pairs", 3, \
       "water by lines: each column, without depths, or pairs of columns") \
-    X(waves, "auto|exact|fast", 2, "waves of the grid's vertices: in 64 bits, or in 32")
+    X(waves, "auto|exact|fast", 2, "waves of the grid's vertices: in 64 bits, or in 32") \
+    X(blending, "auto|exact|rgb565", 2, \
+      "means of columns and rows: of colours, or of packed pixels, in rgb565 pictures")
 
 /* The first rungs of every effect. */
 enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST, TP_RUNG_PAIRS };

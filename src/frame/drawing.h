@@ -193,6 +193,8 @@ typedef struct {
     uint8_t    count, room;
     bool       rippled;         /* true: a stage changes the slopes */
     bool       shines;          /* true: a stage leaves a glint */
+    tp_stage   evens;           /* may leave even columns alone if it is the last, see
+                                 * tp_shade.evens_only; or NULL */
     uint8_t    lacks;           /* stages wanted by the scene, missing in the program */
     uint8_t    lacking;         /* 1 + the index, in the program's list, of the first
                                  * module that lacks a stage; 0: no module lacks one */

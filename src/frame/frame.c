@@ -195,6 +195,16 @@ static const struct tp_draw_half_lines *find_half_lines(const tp_config *c,
     return scene->quality.lines == TP_RUNG_FAST ? c->program->draw.half_lines : NULL;
 }
 
+/* Returns the code for packed rows, if the scene names them and the pictures are rgb565. */
+static const struct tp_draw_packed_rows *find_packed_rows(const tp_config *c,
+                                                          const tp_scene *scene)
+{
+    const bool packed = c->format == TP_FORMAT_RGB565 || c->format == TP_FORMAT_RGB565BE;
+
+    return packed && scene->quality.blending == TP_RUNG_FAST
+               ? c->program->draw.packed_rows : NULL;
+}
+
 /* Returns the rows of samples that a tile may need beyond its own. */
 static uint32_t count_extra_rows(const tp_config *c, const tp_scene *scene)
 {
@@ -267,6 +277,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
     frame->down = (c->height + c->tile_height - 1) / c->tile_height;
     frame->buffers = buffers;
     frame->half_lines = find_half_lines(c, scene);
+    frame->packed_rows = find_packed_rows(c, scene);
     frame->extra_rows = count_extra_rows(c, scene);
     frame->ram = ram;
     frame->ram.scratch = scratch_size(c, scene, false);

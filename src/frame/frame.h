@@ -82,6 +82,7 @@ struct tp_frame {
 
     const struct tp_draw_half_lines *half_lines;    /* named at init; NULL: none */
     uint32_t         extra_rows;        /* of a tile's samples, for half_lines */
+    const struct tp_draw_packed_rows *packed_rows;  /* named at init; NULL: none */
     uint8_t          column_bits;       /* of fast rows and walked water, see tp_fast_rows;
                                          * 0: other water */
     const tp_level_linear *level_zi;    /* near / depth of level water, Q1.43, for these */
@@ -310,6 +311,32 @@ struct tp_draw_half_lines {
     void (*draw)(const tp_frame *frame, const tp_gbuffer *samples,
                  const tp_water_rows *found, const tp_tile *tile, uint8_t *row);
 };
+
+/* True if the water of this frame is shaded at half the rows. */
+static inline bool tp_frame_has_half_lines(const tp_frame *frame)
+{
+    return frame->half_lines && frame->scene->quality.lines == TP_RUNG_FAST;
+}
+
+/* True for the rows filled with means at half the rows. */
+static inline bool tp_is_mean_row(int32_t y)
+{
+    return (y & 1) && (y & 15) != 15;
+}
+
+/* Means of rgb565 pixels, for quality.blending = rgb565; packed_rows.c. */
+struct tp_draw_packed_rows {
+    void (*draw)(const tp_frame *frame, const tp_gbuffer *samples,
+                 const tp_water_rows *found, const tp_tile *tile, uint8_t *row);
+};
+
+/* True if this frame's rows are packed; neither overlays nor outlines are drawn over packed
+ * pixels. */
+static inline bool tp_frame_has_packed_rows(const tp_frame *frame)
+{
+    return frame->packed_rows && frame->scene->quality.blending == TP_RUNG_FAST
+           && !frame->config.overlay.draw && !frame->outlined;
+}
 
 /* The quality plan, see planned.c. */
 struct tp_draw_rungs {

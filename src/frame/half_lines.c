@@ -9,16 +9,11 @@
 #include "base/dsp.h"
 #include "frame/frame.h"
 
-static bool is_mean_row(int32_t y)
-{
-    return (y & 1) && (y & 15) != 15;
-}
-
 /* The rows that a tile needs: its own, and those beside its mean rows. */
 static tp_line_bounds bounds(int32_t y0, int32_t y1, int32_t height)
 {
-    return (tp_line_bounds){ y0 - is_mean_row(y0),
-                             y1 + (y1 < height && is_mean_row(y1 - 1)) };
+    return (tp_line_bounds){ y0 - tp_is_mean_row(y0),
+                             y1 + (y1 < height && tp_is_mean_row(y1 - 1)) };
 }
 
 /* Rows of memory beyond those of a tile; all tiles begin at multiples of its height. */
@@ -149,10 +144,10 @@ static void draw_half_rows(const tp_frame *frame, const tp_gbuffer *samples,
     const int32_t y0 = (int32_t)tile->y0, y1 = (int32_t)tile->y1;
 
     for (int32_t y = samples->y0; y < samples->y1; y++)
-        if (!is_mean_row(y))
+        if (!tp_is_mean_row(y))
             shade_row(frame, samples, found, y);
     for (int32_t y = y0; y < y1; y++)
-        if (is_mean_row(y))
+        if (tp_is_mean_row(y))
             fill_mean_row(frame, samples, found, y);
     for (int32_t y = y0; y < y1; y++, row += tile->stride)
         store_row(frame, samples, y, row);

@@ -25,6 +25,7 @@ void tp_shaders_clear(tp_shaders *list)
     list->shader[0] = (tp_shader){ NULL, NULL };
     list->count = 0;
     list->rippled = list->shines = false;
+    list->evens = NULL;
     list->lacks = list->lacking = 0;
 }
 
@@ -261,7 +262,10 @@ static void fill_shader_lists(tp_frame *frame)
         fill_underside_shaders(frame);
     else
         fill_water_shaders(frame);
-    count_missing_stages(frame, tp_frame_list(frame, TP_MARK_WATER), 0);
+    const tp_shaders *water = tp_frame_list(frame, TP_MARK_WATER);
+    frame->shade.evens_only = tp_frame_has_packed_rows(frame) && water->evens
+                              && water->evens == water->shader[water->count - 1].stage;
+    count_missing_stages(frame, water, 0);
 }
 
 /* Makes the gradient of two colours again if one has changed: they are its ends.  The

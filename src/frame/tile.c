@@ -14,17 +14,11 @@ static size_t plane_size(const tp_frame *frame)
     return (size_t)c->tile_width * (c->tile_height + frame->extra_rows);
 }
 
-/* True if the water of this frame is shaded at half the rows. */
-static bool has_half_lines(const tp_frame *frame)
-{
-    return frame->half_lines && frame->scene->quality.lines == TP_RUNG_FAST;
-}
-
 /* Returns the rows of a tile's samples. */
 static tp_line_bounds line_bounds(const tp_frame *frame, const tp_tile *tile)
 {
     const int32_t y0 = (int32_t)tile->y0, y1 = (int32_t)tile->y1;
-    return has_half_lines(frame)
+    return tp_frame_has_half_lines(frame)
                ? frame->half_lines->bounds(y0, y1, (int32_t)frame->config.height)
                : (tp_line_bounds){ y0, y1 };
 }
@@ -253,7 +247,11 @@ static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
     tp_water_rows found;
     const bool alone =
         draw_samples(frame, &samples, scratch_pixels(frame, scratch), &found);
-    if (has_half_lines(frame)) {
+    if (tp_frame_has_packed_rows(frame)) {
+        frame->packed_rows->draw(frame, &samples, alone ? &found : NULL, tile, row);
+        return;
+    }
+    if (tp_frame_has_half_lines(frame)) {
         frame->half_lines->draw(frame, &samples, alone ? &found : NULL, tile, row);
         return;
     }

@@ -232,6 +232,8 @@ typedef struct tp_shade {
     uint32_t sky[TP_SKY + 1];
     tp_env   env;               /* sky beyond the gradient */
     const struct tp_quick_light *quick; /* fast lighting alone */
+    bool     evens_only;        /* true: light of every second column leaves tp_run.even and
+                                 * fills no colours */
 } tp_shade;
 
 /* -- tables shared by all scenes ----------------------------------------------------- */

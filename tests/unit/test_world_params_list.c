@@ -174,6 +174,9 @@ static const struct {
     { "quality.waves", "auto", TP_RUNG_AUTO },
     { "quality.waves", "exact", TP_RUNG_EXACT },
     { "quality.waves", "fast", TP_RUNG_FAST },
+    { "quality.blending", "auto", TP_RUNG_AUTO },
+    { "quality.blending", "exact", TP_RUNG_EXACT },
+    { "quality.blending", "rgb565", TP_RUNG_FAST },
 };
 
 enum { WORDS = sizeof words / sizeof words[0] };

@@ -6,16 +6,20 @@
  */
 #include "features/water/fast_light_m4.h"
 
-/* Returns the view in column k of a span. */
-TP_ALWAYS_INLINE tp_quick_view column_view(tp_quick_view from, tp_quick_view step, int32_t k,
-                                           int lobe)
+/* Returns the view in column k of a span; in most spans k is 0. */
+TP_ALWAYS_INLINE tp_quick_view column_view(tp_quick_view from, tp_quick_view step,
+                                           int32_t k, int lobe)
 {
-    tp_quick_view v = tp_quick_view_advance(from, step, k / TP_QUICK_STEP(lobe));
-
+    uint32_t half = 0;
     if (lobe == TP_LOBE_BLINN)
-        v.half = tp_quick_half_advance(
-            tp_quick_half_first(from.half, tp_quick_walk_make(step.half)), step.half, k);
-    return v;
+        half = tp_quick_half_first(from.half, tp_quick_walk_make(step.half));
+    if (k) {
+        from = tp_quick_view_advance(from, step, k / TP_QUICK_STEP(lobe));
+        if (lobe == TP_LOBE_BLINN)
+            half = tp_quick_half_advance(half, step.half, k);
+    }
+    from.half = half;
+    return from;
 }
 
 /* Lights columns x to stop of a span, both even, from the view in column x on.  Phong's
@@ -28,7 +32,8 @@ TP_ALWAYS_INLINE void light_even_columns(const tp_quick_rough *rough, const uint
                                          int lobe)
 {
     const uint32_t *const end = slope + (stop - x);
-    const uint32_t quarter = lobe == TP_LOBE_BLINN ? tp_quick_walk_make(step.half).quarter : 0;
+    const uint32_t quarter =
+        lobe == TP_LOBE_BLINN ? tp_quick_walk_make(step.half).quarter : 0;
     const uint32_t middle = tp_sadd16(quarter, quarter);
     const uint32_t rest = tp_ssub16(step.half, middle);
     uint32_t back = v.back, half = v.half;
@@ -105,12 +110,13 @@ TP_ALWAYS_INLINE void light_half(const tp_shade *shade, tp_run *run, int env, in
     while (x < end) {
         const int32_t from = x & -span, next = from + span, stop = next < end ? next : end;
         const tp_quick_view to = tp_quick_view_sample(shade, &row, next, lobe);
-        even = light_span(shade, sun, run, v, tp_quick_step(v, to, lobe), x, stop, even, env,
-                          lobe);
+        even = light_span(shade, sun, run, v, tp_quick_step(v, to, lobe), x, stop, even,
+                          env, lobe);
         v = to;
         x = stop;
     }
-    tp_quick_odd_fill(run);
+    if (!shade->evens_only)
+        tp_quick_odd_fill(run);
 }
 
 #define STAGE(name, env, lobe) \

@@ -270,6 +270,7 @@ static void init(tp_frame *frame, void *mine)
 typedef struct {
     tp_stage stage[MOST];
     uint32_t count, light;
+    bool     halved;            /* true: the last stage lights every second column */
 } chain;
 
 static void append_stage(chain *c, tp_stage stage)
@@ -354,7 +355,7 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
     const bool lit = tp_frame_has_module(frame, TP_MODULE_LIGHT);
     const bool halved = lit && frame->scene->quality.light == TP_RUNG_FAST
                      && !tp_frame_has_module(frame, TP_MODULE_CLEAR);
-    chain c = { .count = 0 };
+    chain c = { .count = 0, .halved = halved };
 
     append_layer_stages(&c, frame, layers, stage, halved);
     if (halved)
@@ -411,7 +412,8 @@ static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *
         && add_chain_if_complete(list, &halves, mine))
         return;
     const chain columns = make_full_rate_chain(frame, layers, stage);
-    add_chain_if_complete(list, &columns, mine);
+    if (add_chain_if_complete(list, &columns, mine) && columns.halved)
+        list->evens = columns.stage[columns.count - 1];
 }
 
 const tp_drawing tp_fast_water_drawing = {
