@@ -267,7 +267,8 @@ typedef struct {
     X(quick_dome_phong_half) X(quick_dome_blinn_half) \
     X(quick_cube_half) X(quick_cube_phong_half) X(quick_cube_blinn_half) \
     /* mirrored objects in place of the reflected sky */ \
-    X(quick_over_gradient) X(quick_over_dome) X(quick_over_cube)
+    X(quick_over_gradient) X(quick_over_dome) X(quick_over_cube) \
+    X(quick_diffuse_half)   /* diffuse light of even columns; interpolates */
 #define TP_STAGES_OF_underwater(X) \
     X(underside) X(underside_rippled)       /* the surface from below */ \
     X(deep)                 /* empty view in the water */ \

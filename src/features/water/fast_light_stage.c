@@ -123,21 +123,64 @@ TP_QUICK_LIGHT_STAGES(STAGE)
 
 /* -- diffuse light alone --------------------------------------------------------------- */
 
-/* Shades water that neither glitters nor mirrors.  A channel rounds up: as for the other
- * lights, 255/256 are added before the cut. */
+/* Constants of the loops, in registers. */
+typedef struct {
+    tp_quick_sun sun;
+    uint32_t ends, end;         /* 255 of 256 in both halves, in the lower one */
+} diffuse_light;
+
+static diffuse_light diffuse_light_make(const tp_shade *shade)
+{
+    return (diffuse_light){ tp_quick_sun_make(shade), tp_keep_in_register(0x00ff00ff),
+                            tp_keep_in_register(0xff) };
+}
+
+/* Returns the colour of water that neither glitters nor mirrors.  A channel rounds up: as
+ * for the other lights, 255/256 are added before the cut. */
+TP_ALWAYS_INLINE uint32_t light_diffuse(const diffuse_light *light, uint32_t slope,
+                                        uint32_t colour)
+{
+    const tp_quick_sun *sun = &light->sun;
+    const int32_t l = tp_smlad(slope, sun->back, sun->y);
+    const uint32_t lit = (uint32_t)(sun->ambient + sun->direct * tp_usat(l, 18, 8)) >> 8;
+    const uint32_t rb = tp_even_bytes(colour) * lit + light->ends;
+    const uint32_t g = (tp_odd_bytes(colour) & 0xff) * lit + light->end;
+
+    return tp_halves_add_odd_bytes(g & 0xff00, rb);
+}
+
 void tp_stage_quick_diffuse(const tp_shade *shade, tp_run *run)
 {
-    const tp_quick_sun sun = tp_quick_sun_make(shade);
+    const diffuse_light light = diffuse_light_make(shade);
     const uint32_t *slope = run->slope;
     uint32_t *colour = run->colour;
+    int32_t left = run->count;
 
-    for (int32_t i = 0; i < run->count; i++) {
-        const int32_t l = tp_smlad(slope[i], sun.back, sun.y);
-        const uint32_t lit = (uint32_t)(sun.ambient + sun.direct * tp_usat(l, 18, 8)) >> 8;
-        const uint32_t rb = tp_even_bytes(colour[i]) * lit + 0x00ff00ff;
-        const uint32_t g = (colour[i] & 0xff00) * lit + 0xff00;
-        colour[i] = tp_even_bytes(rb >> 8) | (g >> 8 & 0xff00);
+    for (; left >= 2; left -= 2, colour += 2) {
+        const tp_word_pair s = tp_load_next_pair(&slope), c = tp_load_pair(colour, 0);
+        tp_store_pair(colour, 0, light_diffuse(&light, s.first, c.first),
+                      light_diffuse(&light, s.second, c.second));
     }
+    if (left)
+        *colour = light_diffuse(&light, *slope, *colour);
+}
+
+/* The same for the even columns and the run's first column, at half rate. */
+void tp_stage_quick_diffuse_half(const tp_shade *shade, tp_run *run)
+{
+    const diffuse_light light = diffuse_light_make(shade);
+    const int32_t odd = run->x & 1;
+    const uint32_t *slope = run->slope;
+    uint32_t *even = run->even, *const end = even + ((run->count + odd + 1) >> 1);
+
+    if (odd) {
+        *even = light_diffuse(&light, *slope++, *even);
+        even++;
+    }
+    for (; even != end; even++, slope += 2)
+        *even = light_diffuse(&light, *slope, *even);
+    if (!shade->evens_only)
+        tp_quick_odd_fill(run);
 }
 
 const tp_stage tp_fast_water_stages[] = {

@@ -353,17 +353,18 @@ static chain make_full_rate_chain(const tp_frame *frame, const tp_quick_layers *
           TP_NTH_quick_cube_blinn_half },
     };
     const bool lit = tp_frame_has_module(frame, TP_MODULE_LIGHT);
-    const bool halved = lit && frame->scene->quality.light == TP_RUNG_FAST
+    const bool diffuse = !lit && frame->scene->light.ambient < TP_FX_ONE;
+    const bool halved = (lit || diffuse) && frame->scene->quality.light == TP_RUNG_FAST
                      && !tp_frame_has_module(frame, TP_MODULE_CLEAR);
     chain c = { .count = 0, .halved = halved };
 
     append_layer_stages(&c, frame, layers, stage, halved);
-    if (halved)
+    if (diffuse)                /* else light changes no colour */
+        append_stage(&c, stage[halved ? TP_NTH_quick_diffuse_half : TP_NTH_quick_diffuse]);
+    else if (halved)
         append_stage(&c, stage[half[frame->shade.env.kind][select_lobe(frame)]]);
     else if (lit)
         append_stage(&c, stage[light[frame->shade.env.kind][select_lobe(frame)]]);
-    else if (frame->scene->light.ambient < TP_FX_ONE)   /* else light changes no colour */
-        append_stage(&c, stage[TP_NTH_quick_diffuse]);
     return c;
 }
 
