@@ -165,7 +165,8 @@ bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_til
 
 /* Draws tile i directly into a whole picture, such as a frame buffer: row y begins at
  * picture + y stride, aligned to 4 bytes for xrgb8888, to 2 for rgb565.  The scratch then
- * needs no room for pixels: tp_frame_direct_scratch_bytes(). */
+ * needs no room for pixels: tp_frame_direct_scratch_bytes().  With quality.blending = rgb565
+ * pixels of the tile are also read from the picture. */
 bool tp_frame_draw_tile_direct(const tp_frame *frame, uint32_t i, void *scratch,
                                void *picture, size_t stride, tp_tile *tile);
 

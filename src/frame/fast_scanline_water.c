@@ -187,6 +187,8 @@ static bool draw_alone(const tp_frame *frame, const tp_gbuffer *tile, void *memo
     if (!is_simple(frame, tile))
         return false;
     walk w = begin_walk(frame, tile, memory, false);
+    w.rows.means = tp_frame_has_packed_rows(frame) && tp_frame_has_half_lines(frame)
+                   && tile->y0 % 16 == 0 && tile->y1 == tile->y0 + 16;
     for (uint32_t k = lines->lines; k-- > 0 && w.rows.open > 0 && !w.rows.holes;) {
         advance_to_line(&w, k, kind);
         kind = w.columns.x0 < w.columns.x1 ? TP_LINE_ON : TP_LINE_BEHIND_GAP;

@@ -98,7 +98,7 @@ TP_NEVER_INLINE void shade_packed_row(const packed_tile *t, int32_t y)
 
 /* -- mean rows ----------------------------------------------------------------------- */
 
-#define MEAN(to, above, below, x, y, count, be) \
+#define MEAN_ROWS(to, above, below, x, y, count, be) \
     (t->aligned && ((x) & 1) == 0 \
          ? packed_mean_rows(to, above, below, x, y, count, be) \
          : plain_mean_rows(to, above, below, x, y, count, be))
@@ -110,22 +110,47 @@ static void mean_columns(const packed_tile *t, int32_t y, int32_t i, int32_t cou
     const uint16_t *above = row_pixels(t, y - 1) + i, *below = row_pixels(t, y + 1) + i;
 
     if (t->be)
-        MEAN(to, above, below, t->tile->x0 + i, y, count, 1);
+        MEAN_ROWS(to, above, below, t->tile->x0 + i, y, count, 1);
     else
-        MEAN(to, above, below, t->tile->x0 + i, y, count, 0);
+        MEAN_ROWS(to, above, below, t->tile->x0 + i, y, count, 0);
 }
 
-/* Returns the number of pixels, up to `limit`, with the stencil value above and below, or
- * without; *both says which. */
+/* Pixels of a mean row. */
+typedef enum { SHADED, COPIED, MEAN } filling;
+
+/* Returns how a pixel with the stencil value is filled.  Water below the sky is copied from
+ * the row below: in many tiles mean rows have no samples, see tp_fast_rows.means. */
+static filling choose_filling(const uint32_t *above, const uint32_t *below, uint32_t mark)
+{
+    if (TP_MARK(*below) != mark)
+        return SHADED;
+    return TP_MARK(*above) == mark ? MEAN
+         : TP_MARK(*above) == TP_MARK_SKY ? COPIED : SHADED;
+}
+
+/* Returns the number of pixels, up to `limit`, that are filled as the first is. */
 static int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t limit,
-                           uint32_t mark, bool *both)
+                           uint32_t mark, filling *how)
 {
     int32_t n = 1;
 
-    *both = !TP_MARK((above[0] ^ mark) | (below[0] ^ mark));
-    while (n < limit && *both == !TP_MARK((above[n] ^ mark) | (below[n] ^ mark)))
+    *how = choose_filling(above, below, mark);
+    while (*how == MEAN && n + 2 <= limit
+           && !TP_MARK((above[n] ^ mark) | (above[n + 1] ^ mark) | (below[n] ^ mark)
+                       | (below[n + 1] ^ mark)))
+        n += 2;
+    while (n < limit && choose_filling(above + n, below + n, mark) == *how)
         n++;
     return n;
+}
+
+static void copy_columns(const packed_tile *t, int32_t y, int32_t i, int32_t count)
+{
+    uint16_t *to = row_pixels(t, y) + i;
+    const uint16_t *from = row_pixels(t, y + 1) + i;
+
+    for (int32_t k = 0; k < count; k++)
+        to[k] = from[k];
 }
 
 /* True if the row and its neighbours are all water, or all sky that may be a mean. */
@@ -135,8 +160,8 @@ static bool is_whole_mean(const packed_tile *t, int32_t y)
                         || (t->even_sky && y + 1 < t->found->sky_end));
 }
 
-/* Fills a row with means where both neighbours are of its kind.  The rest is shaded, and so
- * is the last row of a picture. */
+/* Fills a row with means where both neighbours are of its kind.  The rest is copied or
+ * shaded; the last row of a picture is shaded. */
 TP_NEVER_INLINE void fill_packed_mean_row(const packed_tile *t, int32_t y)
 {
     const tp_gbuffer *tile = t->tile;
@@ -153,12 +178,14 @@ TP_NEVER_INLINE void fill_packed_mean_row(const packed_tile *t, int32_t y)
         const tp_shaders *list = tp_frame_begin_run(t->frame, tile, x, y, is_alike(t, y),
                                                     &run);
         const uint32_t mark = TP_MARK(run.key[0]);
-        bool both = false;
+        filling how = SHADED;
         if (!last && (mark == TP_MARK_WATER || (mark == TP_MARK_SKY && t->even_sky)))
             run.count = count_alike(keys + i - tile->stride, keys + i + tile->stride,
-                                    run.count, mark, &both);
-        if (both)
+                                    run.count, mark, &how);
+        if (how == MEAN)
             mean_columns(t, y, i, run.count);
+        else if (how == COPIED)
+            copy_columns(t, y, i, run.count);
         else
             shade_packed_run(t, list, row_pixels(t, y) + i, &run);
     }

@@ -109,6 +109,52 @@ TP_ALWAYS_INLINE void write_row(const tp_fast_rows *rows, uint32_t *at, size_t p
     }
 }
 
+#define LEAST 4                 /* rows of a piece that is worth leaving rows out */
+
+/* Returns the values some rows further down. */
+TP_ALWAYS_INLINE values bend_down(values now, const values *step, uint32_t more_s,
+                                  uint32_t more_t, uint32_t rows)
+{
+    const uint32_t twice = rows * (rows - 1) / 2;
+
+    now.s += step->s * rows + more_s * twice;
+    now.t += step->t * rows + more_t * twice;
+    now.n += step->n * rows;
+    return now;
+}
+
+/* Writes those of `count` rows from row y on that are no mean rows, and the first. */
+TP_ALWAYS_INLINE void write_even_rows(const tp_fast_rows *rows, uint32_t *at, int32_t y,
+                                      int32_t count, values now, values step,
+                                      uint32_t more_s, uint32_t more_t, bool pairs)
+{
+    const size_t plane = plane_stride(rows->tile), stride = rows->tile->stride;
+    const int32_t begin = 2 - (y & 1), bottom = (y | 15) - y;
+
+    write_row(rows, at, plane, &now, false, false, pairs);
+    if (bottom > 0 && bottom < count) {
+        const values last = bend_down(now, &step, more_s, more_t, (uint32_t)bottom);
+        write_row(rows, at + (size_t)(uint32_t)bottom * stride, plane, &last, false, false,
+                  pairs);
+    }
+    now = bend_down(now, &step, more_s, more_t, (uint32_t)begin);
+    step.s = 2 * (step.s + more_s * (uint32_t)begin) + more_s;
+    step.t = 2 * (step.t + more_t * (uint32_t)begin) + more_t;
+    step.n *= 2;
+    more_s *= 4;
+    more_t *= 4;
+    at += (size_t)(uint32_t)begin * stride;
+    for (int32_t left = count - begin; left > 0; left -= 2) {
+        write_row(rows, at, plane, &now, false, false, pairs);
+        at += 2 * stride;
+        now.s += step.s;
+        now.t += step.t;
+        now.n += step.n;
+        step.s += more_s;
+        step.t += more_t;
+    }
+}
+
 /* Writes `count` rows from `at` on. */
 TP_ALWAYS_INLINE void write_rows(const tp_fast_rows *rows, const piece *p, uint32_t *at,
                                  int32_t count, values now, values step, uint32_t more_s,
@@ -175,8 +221,12 @@ TP_ALWAYS_INLINE void fill_blocks(const tp_fast_rows *rows, const piece *p, int3
             step.s += more_s * down;
             step.t += more_t * down;
         }
-        write_rows(rows, p, piece_pointer(rows, p->far, y), stop - y, now, step, more_s,
-                   more_t, true, keyed, pairs);
+        uint32_t *at = piece_pointer(rows, p->far, y);
+        if (!keyed && rows->means && stop - y >= LEAST)
+            write_even_rows(rows, at, y, stop - y, now, step, more_s, more_t, pairs);
+        else
+            write_rows(rows, p, at, stop - y, now, step, more_s, more_t, true, keyed,
+                       pairs);
     }
 }
 
@@ -362,14 +412,19 @@ TP_NEVER_INLINE void restart(tp_fast_rows *rows, const tp_line_sample *far, int3
 typedef void (*fill_function)(const tp_fast_rows *rows, const tp_line_sample *far, int32_t y,
                               int32_t end);
 
+/* See tp_fast_rows.means. */
+TP_ALWAYS_INLINE bool is_mean_row(int32_t y)
+{
+    return (y & 1) && (y & 15) != 15;
+}
+
 /* Handles a visible column, with water down to the previous line. */
 TP_ALWAYS_INLINE void cover_column(tp_fast_rows *rows, const tp_line_sample *far,
                                    int32_t *limit, fill_function fill)
 {
     const tp_line_sample *near =
         (const tp_line_sample *)(const void *)((const uint8_t *)far + rows->behind);
-    const int32_t end = (*limit + ROW / 2) >> 16;
-    int32_t y = first_row(far->v);
+    int32_t y = first_row(far->v), end = (*limit + ROW / 2) >> 16;
 
     if (y > rows->y0) {
         *limit = v_limit_above_row(y);
@@ -380,10 +435,17 @@ TP_ALWAYS_INLINE void cover_column(tp_fast_rows *rows, const tp_line_sample *far
     }
     if (y >= end)
         return;
-    if (near->v == TP_LINE_NONE)
+    if (near->v == TP_LINE_NONE) {
         restart(rows, far, end, false);
-    else
-        fill(rows, far, y, end);
+        return;
+    }
+    if (rows->means) {          /* no mean row at either end */
+        y += is_mean_row(y);
+        end -= is_mean_row(end - 1);
+        if (y >= end)
+            return;
+    }
+    fill(rows, far, y, end);
 }
 
 /* Handles the columns from `far` to `last`. */

@@ -47,6 +47,8 @@ typedef struct {
     bool     solid;             /* true if the tile already has samples */
     bool     oblique;           /* true if depth changes along the lines */
     bool     holes;             /* true: pixels below the water of a column have none */
+    bool     means;             /* true: no samples of mean rows are read, the odd ones but
+                                 * each sixteenth; the tile has sixteen rows */
     int32_t  bend;              /* of the parabola between the lines, Q.31 */
     int32_t  mean_bend;         /* its mean, 1/6 of it, Q.30 */
     int32_t  half_s, half_t;    /* between the lines, see tp_line_scale */
