@@ -112,7 +112,7 @@ TP_ALWAYS_INLINE void write_row(const tp_fast_rows *rows, uint32_t *at, size_t p
 #define LEAST 4                 /* rows of a piece that is worth leaving rows out */
 
 /* Returns the values some rows further down. */
-TP_ALWAYS_INLINE values bend_down(values now, const values *step, uint32_t more_s,
+TP_ALWAYS_INLINE values move_values(values now, const values *step, uint32_t more_s,
                                   uint32_t more_t, uint32_t rows)
 {
     const uint32_t twice = rows * (rows - 1) / 2;
@@ -133,11 +133,11 @@ TP_ALWAYS_INLINE void write_even_rows(const tp_fast_rows *rows, uint32_t *at, in
 
     write_row(rows, at, plane, &now, false, false, pairs);
     if (bottom > 0 && bottom < count) {
-        const values last = bend_down(now, &step, more_s, more_t, (uint32_t)bottom);
+        const values last = move_values(now, &step, more_s, more_t, (uint32_t)bottom);
         write_row(rows, at + (size_t)(uint32_t)bottom * stride, plane, &last, false, false,
                   pairs);
     }
-    now = bend_down(now, &step, more_s, more_t, (uint32_t)begin);
+    now = move_values(now, &step, more_s, more_t, (uint32_t)begin);
     step.s = 2 * (step.s + more_s * (uint32_t)begin) + more_s;
     step.t = 2 * (step.t + more_t * (uint32_t)begin) + more_t;
     step.n *= 2;
