@@ -142,6 +142,40 @@ static void half_light_is_the_whole_light_of_even_columns(void **state)
     }
 }
 
+/* A channel with diffuse light: of 0..256, with 255/256 added before the cut. */
+static uint32_t diffuse_channel(uint32_t colour, int shift, uint32_t lit)
+{
+    return ((colour >> shift & 0xff) * lit + 255) >> 8 << shift;
+}
+
+static void diffuse_light_is_that_of_each_column(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 1000; n++) {
+        unlit u;
+        unlit_make(&u, n, n % 2 ? 32000 : 4000);
+        const int32_t from = chance_int(&chance, 0, 15),
+                      cut = 16 * chance_int(&chance, 1, 3);
+        const tp_quick_sun sun = tp_quick_sun_make(&u.shade);
+        tp_run half = part_of(&u, from, TP_RUN), whole = half;
+        quick_assert_cut(tp_stage_quick_diffuse_half, &u.shade, half,
+                         part_of(&u, from, cut), part_of(&u, cut, TP_RUN));
+        tp_stage_quick_diffuse_half(&u.shade, &half);
+        tp_stage_quick_diffuse(&u.shade, &whole);
+        for (int i = 0; i < half.count; i++) {
+            const uint32_t c = u.r.run.colour[from + i];
+            const int32_t l = tp_smlad(u.slope[from + i], sun.back, sun.y);
+            const uint32_t lit =
+                (uint32_t)(sun.ambient + sun.direct * tp_usat(l, 18, 8)) >> 8;
+            assert_int_equal(whole.colour[i], diffuse_channel(c, 16, lit)
+                                                  | diffuse_channel(c, 8, lit)
+                                                  | diffuse_channel(c, 0, lit));
+            if ((half.x + i) % 2 == 0)
+                assert_int_equal(half.colour[i], whole.colour[i]);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -149,6 +183,7 @@ int main(void)
         cmocka_unit_test(where_tiles_begin_does_not_show),
         cmocka_unit_test(even_columns_are_those_of_the_whole_rate),
         cmocka_unit_test(half_light_is_the_whole_light_of_even_columns),
+        cmocka_unit_test(diffuse_light_is_that_of_each_column),
     };
     chance = random_seed();
     return cmocka_run_group_tests_name("features/water quick even", tests, NULL, NULL);

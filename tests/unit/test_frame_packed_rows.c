@@ -179,7 +179,7 @@ static void add_difference(difference *d, int most)
 }
 
 /* Pixels of few levels are averaged in place of colours; with an exposure they are the
- * means of toned colours, which are darker than the toned mean.  The bounds are the worst of
+ * means of toned colours, darker than the toned mean.  The bounds are the worst of
  * 60 seeds and a quarter more; the textures are noise.  Only the water's row at the horizon
  * differs more: on a mean row it is a copy. */
 static void the_error_is_small(void **state)
