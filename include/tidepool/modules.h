@@ -104,7 +104,10 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(fast_triangles)   /* the water's, for quality.triangles */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
     X(fast_waves)       /* vertices in 32 bits, for quality.waves */ \
-    X(packed_rows)      /* means of rgb565 pixels, for quality.blending */
+    X(packed_rows)      /* means of rgb565 pixels, for quality.blending */ \
+    X(packed_waves)     /* vertices by packed sines, for quality.normals */ \
+    X(table_waves)      /* the same by a table of sines, for quality.sine */ \
+    X(large_waves)      /* rows without low swells, for quality.geometry */
 
 /* Renderers of the water's surface, see tp_visibility. */
 #define TP_METHOD_LIST(X) \

@@ -207,6 +207,27 @@ TP_ALWAYS_INLINE int32_t tp_smulwt(int32_t a, uint32_t b)
 #endif
 }
 
+/* Returns sum + tp_smulwb(a, b); tp_smlawt takes the upper half of b.  The sum wraps. */
+TP_ALWAYS_INLINE int32_t tp_smlawb(int32_t a, uint32_t b, int32_t sum)
+{
+#if TP_DSP
+    __asm__("smlawb %0, %1, %2, %0" : "+r"(sum) : "r"(a), "r"(b));
+    return sum;
+#else
+    return (int32_t)((uint32_t)sum + (uint32_t)tp_smulwb(a, b));
+#endif
+}
+
+TP_ALWAYS_INLINE int32_t tp_smlawt(int32_t a, uint32_t b, int32_t sum)
+{
+#if TP_DSP
+    __asm__("smlawt %0, %1, %2, %0" : "+r"(sum) : "r"(a), "r"(b));
+    return sum;
+#else
+    return (int32_t)((uint32_t)sum + (uint32_t)tp_smulwt(a, b));
+#endif
+}
+
 /* Adds two pairs of 16-bit halves; the sums wrap. */
 TP_ALWAYS_INLINE uint32_t tp_sadd16(uint32_t a, uint32_t b)
 {

@@ -226,6 +226,35 @@ static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
     }
 }
 
+/* Chooses the code of the vertices.  Fast normals and sines draw vertices in 32 bits, as
+ * quality.waves = fast does. */
+static void choose_vertices(const tp_frame *frame, tp_grid *grid)
+{
+    const tp_scene_quality *rungs = &frame->scene->quality;
+    const tp_draws *draw = &frame->program->draw;
+
+    grid->plain_normals = rungs->normals == TP_RUNG_FAST;
+    grid->fast = rungs->waves == TP_RUNG_FAST ? draw->fast_waves : NULL;
+    if (rungs->sine == TP_RUNG_FAST && draw->table_waves)
+        grid->fast = &draw->table_waves->by;
+    else if (grid->plain_normals && draw->packed_waves)
+        grid->fast = &draw->packed_waves->by;
+}
+
+/* Chooses the weights of the swells; the slope variance is made anew if they change. */
+static void choose_weights(const tp_frame *frame, tp_grid *grid)
+{
+    const int32_t rung = frame->scene->quality.geometry;
+    const struct tp_draw_large_waves *large =
+        rung >= TP_RUNG_FAST ? frame->program->draw.large_waves : NULL;
+    const uint8_t half_px = rung > TP_RUNG_FAST ? 2 : 1;
+
+    if ((large != grid->large || half_px != grid->half_px) && frame->buffers.filtered)
+        tp_filtered_waves_clear(frame->buffers.filtered);
+    grid->large = large;
+    grid->half_px = half_px;
+}
+
 void tp_frame_begin_grid(tp_frame *frame)
 {
     const struct tp_draw_fast_triangles *fast = frame->program->draw.fast_triangles;
@@ -233,8 +262,8 @@ void tp_frame_begin_grid(tp_frame *frame)
 
     frame->draw_cell = fast && frame->scene->quality.triangles == TP_RUNG_FAST
                            ? fast->draw_cell : tp_cell_water;
-    grid->fast = frame->scene->quality.waves == TP_RUNG_FAST ? frame->program->draw.fast_waves
-                                                             : NULL;
+    choose_vertices(frame, grid);
+    choose_weights(frame, grid);
     tp_grid_place_rows(grid, &frame->grid_view);
     if (frame->buffers.filtered)
         tp_fan_fill_variance(grid, frame->buffers.filtered);

@@ -7,6 +7,7 @@
  * of the number of waves. */
 #include "base/base.h"
 #include "quality/prices.h"
+#include "view/projection.h"
 
 #define TWO_PI_Q16 411775
 
@@ -42,25 +43,17 @@ tp_fx tp_nearest_water_distance(tp_fx height, const tp_rotation *turn, tp_fx fov
     return tp_fx_saturate(((int64_t)height * (1 << 30)) / down);
 }
 
-/* Returns 0 up to `limit`, 1 from 2 * `limit`, linear between. */
-static tp_fx ramp_above_limit(int64_t x, tp_fx limit)
-{
-    const int64_t over = x - limit;
-    return over <= 0 ? 0 : over >= limit ? TP_FX_ONE : (tp_fx)((over << 16) / limit);
-}
-
 static int64_t amplitude_px(const tp_wave_cull_limits *limits, tp_fx amplitude)
 {
-    TP_ASSERT(limits->near > 0);
-    return ((int64_t)amplitude * limits->focal * 65536) / limits->near;
+    return tp_length_px(amplitude, limits->focal, limits->near);
 }
 
 tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp_fx slope)
 {
     if (limits->px <= 0 || limits->slope <= 0)
         return TP_FX_ONE;
-    const tp_fx high = ramp_above_limit(amplitude_px(limits, amplitude), limits->px);
-    const tp_fx steep = ramp_above_limit(slope, limits->slope);
+    const tp_fx high = tp_fade_in_share(amplitude_px(limits, amplitude), limits->px);
+    const tp_fx steep = tp_fade_in_share(slope, limits->slope);
     return high > steep ? high : steep;
 }
 

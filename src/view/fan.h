@@ -163,6 +163,22 @@ tp_fx tp_fan_row_detail_weight(const tp_fan *fan, const tp_fan_row *row);
  * heights, displacements and slopes. */
 tp_fx tp_fan_row_weight(const tp_fan *fan, const tp_fan_row *row, const tp_swell *swell);
 
+/* The same by quality.geometry: tp_fan_row_least returns the displacement, m, up to which a
+ * row keeps nothing of a swell, 0 if all move vertices. */
+static inline tp_fx tp_fan_row_least(const tp_grid *grid, const tp_fan_row *row)
+{
+    return grid->large ? grid->large->least(grid, row) : 0;
+}
+
+static inline tp_fx tp_fan_row_large_weight(const tp_grid *grid, const tp_fan_row *row,
+                                            tp_fx least, const tp_swell *swell)
+{
+    const tp_fx weight = tp_fan_row_weight(grid->fan, row, swell);
+
+    return least > 0 && weight != 0 ? tp_fx_mul(weight, grid->large->share(least, swell))
+                                    : weight;
+}
+
 #define TP_FAN_GAIN (TP_FX_ONE * 7 / 4)     /* largest weight: 1.32 along and across */
 
 /* Returns a weight without gain, for the Jacobian, which must not fold, and the variance. */
@@ -185,8 +201,8 @@ tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
 
 /* Returns the slope variance of what a row does not show: of the waves that it leaves out,
  * and the share `unseen` of what interpolation along and across it loses. */
-tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_surface *surface, tp_fx unseen);
+tp_slope_variance tp_fan_row_variance(const tp_grid *grid, const tp_fan_row *row,
+                                      tp_fx unseen);
 
 /* Fills the slope variance of the rows placed last.  `filtered` keeps the variance if rows
  * and swells are those of the last call; it must be cleared or filled by the same fan. */

@@ -80,16 +80,19 @@ static uint32_t limited(uint64_t variance)
     return variance < TP_ROUGH_ONE ? (uint32_t)variance : TP_ROUGH_ONE;
 }
 
-tp_slope_variance tp_fan_row_variance(const tp_fan *fan, const tp_fan_row *row,
-                                      const tp_surface *surface, tp_fx unseen)
+tp_slope_variance tp_fan_row_variance(const tp_grid *grid, const tp_fan_row *row,
+                                      tp_fx unseen)
 {
+    const tp_fan *fan = grid->fan;
+    const tp_surface *surface = grid->surface;
+    const tp_fx least = tp_fan_row_least(grid, row);
     const int64_t rx = fan->law.right.x >> 14, rz = fan->law.right.z >> 14;
     const uint64_t whole = (uint64_t)1 << 32;
     uint64_t along = 0, across = 0, left = 0;
 
     for (uint32_t i = 0; i < surface->deep->count; i++) {
         const tp_swell *w = &surface->deep->swell[i];
-        const uint64_t weight = (uint32_t)tp_fan_row_weight(fan, row, w);
+        const uint64_t weight = (uint32_t)tp_fan_row_large_weight(grid, row, least, w);
         const uint64_t share = (uint32_t)tp_fan_share((tp_fx)weight);
         const uint64_t flat = (65536 - row_interpolation_share(fan, row, w))
                             * (uint32_t)unseen >> 16;
@@ -154,10 +157,11 @@ void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
         const int64_t dx = row->x + (int64_t)row->step_x * half - eye.x;
         const int64_t dz = row->z + (int64_t)row->step_z * half - eye.z;
         const int64_t depth = (dx * x - eye.y * y + dz * z) >> 30;
-        if (depth > 0)
-            tp_filtered_waves_add_row(filtered, tp_fx_saturate(depth),
-                                      tp_fan_row_variance(fan, row, grid->surface,
-                                                  row_unseen_share(p, row, depth)));
+        if (depth <= 0)
+            continue;
+        const tp_fx unseen = row_unseen_share(p, row, depth);
+        tp_filtered_waves_add_row(filtered, tp_fx_saturate(depth),
+                                  tp_fan_row_variance(grid, row, unseen));
     }
     tp_filtered_waves_finish(filtered);
 }

@@ -60,6 +60,7 @@ static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to
 {
     const tp_surface *surface = grid->surface;
     const tp_deep_water *deep = surface->deep;
+    const tp_fx least = tp_fan_row_least(grid, row);
 
     to->fan = grid->fan;
     to->row = row;
@@ -70,7 +71,8 @@ static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to
     for (uint32_t i = 0; i < deep->count && surface->by->swells; i++) {
         const tp_swell *w = &deep->swell[i];
         row_wave *at = &to->wave[to->count];
-        *at = (row_wave){ .swell = w, .weight = tp_fan_row_weight(grid->fan, row, w) };
+        *at = (row_wave){ .swell = w,
+                          .weight = tp_fan_row_large_weight(grid, row, least, w) };
         if (at->weight == 0)
             continue;
         at->first = surface->phases[i] + tp_swell_turns(w->turns_x, row->x)

@@ -43,6 +43,8 @@ typedef struct {
     uint32_t blocks;            /* blocks in a row of cells */
     tp_grid_vertex *vertex;     /* rows x cols; NULL if the grid is streamed */
     bool            streams;
+    bool            plain_normals;      /* quality.normals is fast */
+    uint8_t         half_px;    /* limit of `large`, 1/2 px */
     tp_grid_window  window;     /* for tp_grid_evaluate_row, valid until the next call */
     tp_grid_span   *span;       /* visible cells of each row */
     tp_grid_box    *box;        /* bounding boxes, (rows - 1) x blocks */
@@ -54,6 +56,7 @@ typedef struct {
     uint32_t *dry;              /* a bit per vertex of coastal water: on land */
     struct tp_fan *fan;         /* the rows, view/fan.h */
     const struct tp_draw_fast_waves *fast;  /* evaluates the vertices; NULL: fan_vertices.c */
+    const struct tp_draw_large_waves *large;    /* weighs the swells; NULL: the filter alone */
 } tp_grid;
 
 /* The vertices of a fan in 32 bits, for quality.waves = fast: tp_fan_evaluate_row and
@@ -63,6 +66,25 @@ struct tp_draw_fast_waves {
                          tp_grid_vertex *vertex);
     void (*make_view_vertices)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                                tp_view_vertex *to);
+};
+
+/* The same by packed sines, for quality.normals and quality.sine = fast;
+ * packed_vertices.h. */
+struct tp_draw_packed_waves {
+    struct tp_draw_fast_waves by;
+};
+struct tp_draw_table_waves {
+    struct tp_draw_fast_waves by;
+};
+
+struct tp_fan_row;
+
+/* The weights of quality.geometry = large and largest: `least` returns the displacement, m,
+ * up to which a row keeps nothing of a swell; `share` the share of a swell that the row
+ * keeps, 0..1.  fan_large.c. */
+struct tp_draw_large_waves {
+    tp_fx (*least)(const tp_grid *grid, const struct tp_fan_row *row);
+    tp_fx (*share)(tp_fx least, const tp_swell *swell);
 };
 
 /* Allocates a grid of `vertices` at the most, whose slope variance is kept between frames

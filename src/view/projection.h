@@ -56,6 +56,34 @@ void tp_projection_init(tp_projection *projection, tp_vec3 eye, tp_turn heading,
 void tp_projection_init_turned(tp_projection *projection, tp_vec3 eye, tp_rotation turn,
                                tp_fx fov, tp_fx near, uint32_t width, uint32_t height);
 
+/* Returns the length in the picture, px, 16.16, of a length at a depth, both m.  focal: px,
+ * up to 2^13. */
+static inline int64_t tp_length_px(tp_fx length, int32_t focal, tp_fx depth)
+{
+    TP_ASSERT(depth > 0);
+    return (int64_t)length * focal * TP_FX_ONE / depth;
+}
+
+/* Returns the length at a depth, m, that has so many px in the picture, 16.16: the inverse of
+ * tp_length_px. */
+static inline tp_fx tp_length_of_px(tp_fx px, int32_t focal, tp_fx depth)
+{
+    TP_ASSERT(focal > 0);
+    return tp_fx_saturate(((int64_t)px * depth >> 16) / focal);
+}
+
+/* Returns 0 up to `limit`, 1 from 2 limit on, linear between: a thing fades in. */
+static inline tp_fx tp_fade_in_share(int64_t x, tp_fx limit)
+{
+    const int64_t over = x - limit;
+    if (over <= 0)
+        return 0;
+    if (over >= limit)
+        return TP_FX_ONE;
+    return over < TP_FX_ONE ? (tp_fx)(((uint32_t)over << 16) / (uint32_t)limit)
+                            : (tp_fx)((over << 16) / limit);
+}
+
 /* Returns d . axis, clamped to +-32000 m.  From corner to corner, water and boats can be
  * farther apart than the range of 16.16; without the clamp they would wrap to the
  * opposite side. */

@@ -326,10 +326,10 @@ static void variance_is_that_of_the_waves_left_out(void **state)
         double sum = 0;
         place(&s);
         tp_fan_row row = { .along = 8000 * TP_FX_ONE, .across = 8000 * TP_FX_ONE };
-        const tp_slope_variance v = tp_fan_row_variance(s.grid.fan, &row, &s.surface,
+        const tp_slope_variance v = tp_fan_row_variance(&s.grid, &row,
                                                         TP_FX_ONE);
         row.along = row.across = 1;
-        const tp_slope_variance none = tp_fan_row_variance(s.grid.fan, &row, &s.surface,
+        const tp_slope_variance none = tp_fan_row_variance(&s.grid, &row,
                                                            TP_FX_ONE);
         for (uint32_t i = 0; i < s.deep.count; i++) {
             const double x = s.deep.swell[i].slope_x / 1073741824.0;
@@ -374,9 +374,9 @@ static void variance_counts_the_loss_of_interpolation(void **state)
         const double rz = s.grid.fan->law.right.z / 0x1p30;
         const tp_fan_row row = { .along = chance_fx(&chance, 0.1, 4),
                                  .across = chance_fx(&chance, 0.1, 4) };
-        const tp_slope_variance v = tp_fan_row_variance(s.grid.fan, &row, &s.surface,
+        const tp_slope_variance v = tp_fan_row_variance(&s.grid, &row,
                                                         TP_FX_ONE);
-        const tp_slope_variance seen = tp_fan_row_variance(s.grid.fan, &row, &s.surface, 0);
+        const tp_slope_variance seen = tp_fan_row_variance(&s.grid, &row, 0);
         for (uint32_t i = 0; i < s.deep.count; i++) {
             const tp_swell *w = &s.deep.swell[i];
             const double x = w->slope_x / 0x1p30, z = w->slope_z / 0x1p30;

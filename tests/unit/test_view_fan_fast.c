@@ -8,57 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "view/fan.h"
-#include "view/wave_models.h"
-#include "tests/lib/camera.h"
+#include "tests/lib/fans.h"
 #include "tests/lib/frames.h"
-#include "tests/lib/grids.h"
 #include "tests/lib/picture_difference.h"
 #include "tests/lib/scenes.h"
 
-enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT, MOST = 2000 };
+enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT, MOST = FAN_MOST };
 
 static uint64_t chance;
-
-/* A placed fan over swells. */
-typedef struct {
-    tp_grid grid;
-    void   *block;
-    test_view v;
-    tp_deep_water deep;
-    tp_turn phases[TP_WAVES];
-    tp_surface surface;
-} sea;
-
-static void lay_out(sea *s, int count)
-{
-    tp_wave waves[TP_WAVES];
-
-    s->v = view_any(&chance);
-    for (int i = 0; i < count; i++) {
-        waves[i] = chance_wave(&chance);
-        waves[i].amplitude = chance_scale(&chance, 0.01, 1);
-    }
-    tp_deep_water_init(&s->deep, waves, (uint32_t)count, TP_FX(9.81));
-    tp_deep_water_phases(&s->deep, random_next(&chance) >> 20, 0, s->phases);
-    s->surface =
-        (tp_surface){ .by = &tp_program_all.water, .deep = &s->deep, .phases = s->phases };
-    s->block = grid_block(&s->grid, MOST, false);
-    const tp_grid_view look = { .projection = &s->v.projection, .surface = &s->surface,
-                                .width = s->v.width, .height = s->v.height,
-                                .vertices = MOST };
-    tp_grid_place_rows(&s->grid, &look);
-}
-
-static int32_t distance(int32_t a, int32_t b)
-{
-    return a > b ? a - b : b - a;
-}
-
-static void raise(int32_t *most, int32_t by)
-{
-    *most = by > *most ? by : *most;
-}
 
 typedef struct {
     int32_t place, slope;
@@ -66,7 +23,7 @@ typedef struct {
 } errors;
 
 /* Raises the errors of row j: places in view space, slopes up to 1. */
-static void compare_row(sea *s, uint32_t j, errors *to)
+static void compare_row(fan_sea *s, uint32_t j, errors *to)
 {
     static tp_view_vertex a[MOST], b[MOST];
     static tp_grid_vertex m[MOST], n[MOST];
@@ -99,8 +56,8 @@ static void vertices_are_those_of_64_bits(void **state)
 
     (void)state;
     for (int n = 0; n < 60; n++) {
-        sea s;
-        lay_out(&s, n % 7);
+        fan_sea s;
+        fan_sea_lay_out(&s, n % 7, &chance);
         for (uint32_t j = 0; j < s.grid.rows; j += 3)
             compare_row(&s, j, &e);
         free(s.block);
@@ -118,8 +75,8 @@ static void parts_of_a_row_have_the_same_bits(void **state)
 
     (void)state;
     for (int n = 0; n < 30; n++) {
-        sea s;
-        lay_out(&s, 1 + n % 6);
+        fan_sea s;
+        fan_sea_lay_out(&s, 1 + n % 6, &chance);
         s.grid.fast = &tp_draw_fast_waves;
         const uint32_t cols = s.grid.cols, cut = (uint32_t)chance_int(&chance, 0, (int)cols);
         for (uint32_t j = 0; j < s.grid.rows; j += 7) {

@@ -177,6 +177,16 @@ static const struct {
     { "quality.blending", "auto", TP_RUNG_AUTO },
     { "quality.blending", "exact", TP_RUNG_EXACT },
     { "quality.blending", "rgb565", TP_RUNG_FAST },
+    { "quality.geometry", "auto", TP_RUNG_AUTO },
+    { "quality.geometry", "all", TP_RUNG_EXACT },
+    { "quality.geometry", "large", TP_RUNG_FAST },
+    { "quality.geometry", "largest", 3 },
+    { "quality.normals", "auto", TP_RUNG_AUTO },
+    { "quality.normals", "exact", TP_RUNG_EXACT },
+    { "quality.normals", "fast", TP_RUNG_FAST },
+    { "quality.sine", "auto", TP_RUNG_AUTO },
+    { "quality.sine", "exact", TP_RUNG_EXACT },
+    { "quality.sine", "fast", TP_RUNG_FAST },
 };
 
 enum { WORDS = sizeof words / sizeof words[0] };
