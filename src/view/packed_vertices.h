@@ -105,6 +105,21 @@ SUM(sum_deep_plain, false, true)
 SUM(sum_wind, true, false)
 SUM(sum_wind_plain, true, true)
 
+TP_ALWAYS_INLINE void add_row_waves(tp_fast_sum *to, const tp_fast_waves *waves, uint32_t i,
+                                    bool plain)
+{
+    const bool wind = waves->grid->surface->coastal != NULL;
+
+    if (wind && plain)
+        sum_wind_plain(to, waves, i);
+    else if (wind)
+        sum_wind(to, waves, i);
+    else if (plain)
+        sum_deep_plain(to, waves, i);
+    else
+        sum_deep(to, waves, i);
+}
+
 /* Returns n / d as a slope, Q3.12; n: Q24, d: Q15, 2^10 at least. */
 TP_ALWAYS_INLINE int32_t packed_slope(int32_t n, int32_t d)
 {
@@ -175,13 +190,9 @@ TP_ALWAYS_INLINE void place_vertex(const packed_row *row, uint32_t i, bool plain
 {
     const tp_fast_waves *waves = &row->waves;
     const tp_fan *fan = waves->grid->fan;
-    const bool wind = waves->grid->surface->coastal != NULL;
     tp_fast_sum sum;
 
-    if (plain)
-        (wind ? sum_wind_plain : sum_deep_plain)(&sum, waves, i);
-    else
-        (wind ? sum_wind : sum_deep)(&sum, waves, i);
+    add_row_waves(&sum, waves, i, plain);
     if (plain)
         set_plain_slopes(at, &sum);
     else
