@@ -9,15 +9,25 @@
 #include "features/exposure/exposure.h"
 #include "shade/shade.h"
 
+/* Returns t^k for t = i / 255, Q16, rounded down.  The factor is 2^47 / 255^4, rounded up;
+ * for each i its product gives what the division by 255^4 gives. */
+static int32_t bend(uint32_t i, bool brightens)
+{
+    const uint32_t fourth = i * i * i * i;
+
+    return (int32_t)(brightens ? i * 65536 / 255
+                               : (uint32_t)((uint64_t)fourth * 2181368338u >> 47));
+}
+
+/* Exposures are below 2^20, so E t fits 32 bits. */
 void tp_exposure_make_tone_curve(tp_entry8 tone[256], tp_fx exposure)
 {
-    int64_t e = tp_clamp(exposure, TP_FX_ONE / 8, 8 * TP_FX_ONE);
+    const tp_fx e = tp_clamp(exposure, TP_FX_ONE / 8, 8 * TP_FX_ONE);
 
-    for (int64_t i = 0; i < 256; i++) {
-        int64_t bent = e > TP_FX_ONE ? i * 65536 / 255
-                                     : i * i * i * i * 65536 / (255ll * 255 * 255 * 255);
-        int64_t below = TP_FX_ONE + ((e - TP_FX_ONE) * bent >> 16);
-        tone[i] = (uint8_t)((e * i + below / 2) / below);
+    for (uint32_t i = 0; i < 256; i++) {
+        const int64_t bent = (int64_t)(e - TP_FX_ONE) * bend(i, e > TP_FX_ONE);
+        const uint32_t below = (uint32_t)(TP_FX_ONE + (int32_t)(bent >> 16));
+        tone[i] = (uint8_t)(((uint32_t)e * i + below / 2) / below);
     }
 }
 
