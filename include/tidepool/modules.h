@@ -295,7 +295,9 @@ typedef struct {
     X(foam_packed)      /* after fast stages */ \
     X(foam_fast) X(foam_fast_shiny)     /* cover at each eighth column */ \
     X(foam_plain) X(foam_plain_shiny)   /* without bubbles */
-#define TP_STAGES_OF_spray(X)       X(spray) X(spray_blend)      /* colour; streaks */
+#define TP_STAGES_OF_spray(X) \
+    X(spray) X(spray_blend)         /* colour; streaks */ \
+    X(spray_dashes) X(spray_fast)   /* fast: rows of a streak, without samples; streaks */
 #define TP_STAGES_OF_exposure(X)    X(expose)
 
 struct tp_module;

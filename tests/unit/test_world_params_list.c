@@ -187,6 +187,9 @@ static const struct {
     { "quality.sine", "auto", TP_RUNG_AUTO },
     { "quality.sine", "exact", TP_RUNG_EXACT },
     { "quality.sine", "fast", TP_RUNG_FAST },
+    { "quality.spray", "auto", TP_RUNG_AUTO },
+    { "quality.spray", "exact", TP_RUNG_EXACT },
+    { "quality.spray", "fast", TP_RUNG_FAST },
 };
 
 enum { WORDS = sizeof words / sizeof words[0] };

@@ -15,8 +15,11 @@
 #include "frame/frame.h"
 #include "quality/prices.h"
 
-#define MOST  96                /* length of the longest streak, 1/16 px */
-#define BLUR  16                /* smallest radius, 1/16 px */
+enum { COLOUR = TP_NTH_spray, BLEND = TP_NTH_spray_blend, DASHES = TP_NTH_spray_dashes,
+       FAST = TP_NTH_spray_fast };
+
+#define MOST  TP_STREAK_MOST
+#define BLUR  TP_STREAK_BLUR
 #define FADED TP_FX_ONE         /* m: specks up to this depth are invisible, ... */
 #define CLEAR (2 * TP_FX_ONE)   /* m: ... specks from this depth on do not fade */
 
@@ -37,16 +40,16 @@ static tp_vec3 interpolate_speck(const tp_speck *s, tp_fx lag, bool through_wate
     return at;
 }
 
-/* Returns the speck's diameter, 1/256 px: spray.size times 0.5 to 1.5.  The place is in
+/* Returns the speck's radius, 1/256 px: spray.size times 0.5 to 1.5.  The place is in
  * front of the near plane, so depth >= near. */
-static int64_t speck_diameter(const tp_frame *frame, const tp_speck *s, tp_fx depth)
+static int32_t speck_radius(const tp_frame *frame, const tp_speck *s, tp_fx depth)
 {
     TP_ASSERT(depth >= frame->projection.near);
     int32_t own = 128 + (uint8_t)(s->chance * 77);  /* random factor of the size, Q8 */
     int64_t size = (int64_t)frame->scene->spray.size * own >> 8;
     int64_t wide = (size * frame->projection.focal >> 8) / depth;
 
-    return wide < (int64_t)1 << 24 ? wide : (int64_t)1 << 24;
+    return (int32_t)(wide < (int64_t)1 << 24 ? wide : (int64_t)1 << 24);
 }
 
 /* Returns the opacity of a whole speck by its depth, 0..255. */
@@ -56,18 +59,17 @@ static uint32_t depth_opacity(tp_fx depth)
                       / (CLEAR - FADED));
 }
 
-/* Sets the streak's shape from the diameter, 1/256 px, and from half of its way, 1/16 px.
- * Returns the opacity for a speck of the opacity `full`: a speck covers the same area in
- * the mean, however long its way. */
-static uint32_t shape_streak(tp_streak *s, int64_t wide, int64_t du, int64_t dv,
-                             uint32_t full)
+/* Sets the streak's shape.  Returns its opacity: a speck covers the same area in the mean,
+ * however long its way. */
+static uint32_t shape_streak(const tp_speck_place *place, tp_streak *s)
 {
+    const int64_t wide = place->radius, du = place->du, dv = place->dv;
     const int64_t half = (int64_t)tp_isqrt64((uint64_t)(du * du + dv * dv));
     const int64_t whole = wide / 8 + 2 * half + 1;
     const int64_t most = whole > MOST ? MOST : whole;
     int64_t radius = wide * most / whole;               /* 1/256 px */
     const int64_t way = half * most / whole;
-    int64_t opacity = full * wide / (8 * whole);
+    int64_t opacity = place->opacity * wide / (8 * whole);
 
     s->du = (int8_t)(du * most / whole);
     s->dv = (int8_t)(dv * most / whole);
@@ -79,13 +81,12 @@ static uint32_t shape_streak(tp_streak *s, int64_t wide, int64_t du, int64_t dv,
     return (uint32_t)(opacity < 255 ? opacity : 255);
 }
 
-/* Returns the longest way that shape_streak takes: its square fits 64 bits. */
-static int64_t clamp_way(int64_t d)
+static int32_t clamp_way(int64_t d)
 {
-    return tp_clamp_abs(d, (int64_t)1 << 24);
+    return (int32_t)tp_clamp_abs(d, (int64_t)1 << 24);
 }
 
-static bool is_in_picture(const tp_frame *frame, const tp_streak *s)
+static bool is_in_picture(const tp_frame *frame, const tp_speck_place *s)
 {
     const int32_t w = 16 * (int32_t)frame->config.width,
                   h = 16 * (int32_t)frame->config.height;
@@ -93,9 +94,9 @@ static bool is_in_picture(const tp_frame *frame, const tp_streak *s)
     return s->u > -MOST && s->u < w + MOST && s->v > -MOST && s->v < h + MOST;
 }
 
-/* Projects a speck.  Returns the opacity of its streak, 0 if there is none. */
-static uint32_t project_speck(const tp_frame *frame, const tp_speck *speck,
-                              bool through_water, tp_streak *to)
+/* Projects a speck.  Returns false if it is not in the picture. */
+static bool project_speck(const tp_frame *frame, const tp_speck *speck, bool through_water,
+                          tp_speck_place *to)
 {
     const tp_projection *projection = &frame->projection;
     tp_view_vertex view, later;
@@ -107,35 +108,36 @@ static uint32_t project_speck(const tp_frame *frame, const tp_speck *speck,
                               interpolate_speck(speck, frame->world->lag, through_water,
                                                 &end), &view);
     if (!tp_projection_can_project(projection, &view) || view.depth <= FADED)
-        return 0;
+        return false;
     tp_projection_project(projection, &view, &to->u, &to->v, &zi);
     if (!is_in_picture(frame, to))
-        return 0;
+        return false;
     to->key = (zi << 1 & ~(uint32_t)0xff) | through_water;
     u = to->u;
     v = to->v;
     tp_projection_view_vertex(projection, end, &later);
     if (tp_projection_can_project(projection, &later))
         tp_projection_project(projection, &later, &u, &v, &zi);
-    return shape_streak(to, speck_diameter(frame, speck, view.depth),
-                        clamp_way((int64_t)u - to->u), clamp_way((int64_t)v - to->v),
-                        depth_opacity(view.depth));
+    to->du = clamp_way((int64_t)u - to->u);
+    to->dv = clamp_way((int64_t)v - to->v);
+    to->radius = speck_radius(frame, speck, view.depth);
+    to->opacity = depth_opacity(view.depth);
+    return true;
 }
 
 /* -- colours ------------------------------------------------------------------------- */
 
 /* Returns the colour of a speck in the pixel (x, y).  Specks scatter light forward: the
  * colour is the light of a level surface, and nearer to full light towards the light. */
-static uint32_t lit_colour(const tp_frame *frame, int32_t x, int32_t y)
+static uint32_t lit_colour(const tp_shade *shade, uint32_t colour, int32_t x, int32_t y)
 {
-    const tp_shade *shade = &frame->shade;
     const int32_t lit = tp_lit_share(shade->ambient, shade->world.ly);
     const int32_t towards =
         16384 - tp_vector_to_eye(shade, &shade->world, x, y).l;         /* 0..2, Q14 */
     const uint32_t glow = (uint32_t)(tp_clamp(towards, 0, 32768) >> 7); /* 0..256 */
     const uint32_t share = (uint32_t)lit + ((uint32_t)(256 - lit) * glow * glow >> 16);
 
-    return tp_colour_scale((uint32_t)frame->scene->foam.colour, share);
+    return tp_colour_scale(colour, share);
 }
 
 /* Returns the shader list of the module's own samples: the stages for a speck's colour. */
@@ -149,39 +151,78 @@ static const tp_shaders *own_list(const tp_frame *frame)
     return NULL;
 }
 
-/* Returns the speck's colour behind the air or water before it: the list's stages up to
- * the tone, applied to a run of one sample. */
-static uint32_t shade_speck(const tp_frame *frame, const tp_shaders *list, uint32_t key,
-                            int32_t x, int32_t y)
+/* Applies the list's stages up to the tone to a run of one sample. */
+uint32_t tp_spray_shade(const tp_shade *shade, tp_streaks *d, uint32_t key, int32_t x,
+                        int32_t y, tp_run *run)
 {
+    const tp_shaders *list = d->list;
     const uint32_t mark = list->first, sample = (key & ~(uint32_t)0xff) | mark, zero = 0;
-    tp_run run = { .x = x, .y = y, .count = 1, .key = &sample, .s = &zero, .t = &zero,
-                   .n = &zero, .ls = &zero, .lt = &zero };
 
+    run->x = x;
+    run->y = y;
+    run->count = 1;
+    run->key = &sample;
+    run->s = run->t = run->n = &zero;
+    d->colour = lit_colour(shade, d->foam_colour, x, y);
     for (uint32_t i = 0; i < list->count && list->order[i] < TP_AT_TONE; i++) {
-        run.mine = list->shader[i].mine;
-        list->shader[i].stage(&frame->shade, &run);
+        run->mine = list->shader[i].mine;
+        list->shader[i].stage(shade, run);
     }
-    return run.colour[0] & 0xffffff;
+    return run->colour[0] & 0xffffff;
 }
 
-/* Adds a streak to its band. */
-static void add_streak(tp_frame *frame, tp_streaks *d, const tp_shaders *list,
-                       uint32_t opacity)
+/* Shapes a speck's streak and adds it to its band. */
+static void add_streak(const tp_frame *frame, tp_streaks *d, const tp_speck_place *place,
+                       tp_run *run)
 {
-    tp_streak *s = &d->streak[d->count++];
-    const int32_t x = tp_clamp(s->u >> 4, 0, (int32_t)frame->config.width - 1);
-    const int32_t y = tp_clamp(s->v >> 4, 0, (int32_t)frame->config.height - 1);
+    tp_streak *s = &d->streak[d->count];
+    const uint32_t opacity = shape_streak(place, s);
+    const int32_t x = tp_clamp(place->u >> 4, 0, (int32_t)frame->config.width - 1);
+    const int32_t y = tp_clamp(place->v >> 4, 0, (int32_t)frame->config.height - 1);
     uint16_t *band = &d->first[y / TP_STREAK_BAND];
 
-    d->colour = lit_colour(frame, x, y);
-    s->colour = opacity << 24 | shade_speck(frame, list, s->key, x, y);
+    if (opacity == 0)
+        return;
+    s->u = place->u;
+    s->v = place->v;
+    s->key = place->key;
+    s->colour = opacity << 24 | tp_spray_shade(&frame->shade, d, s->key, x, y, run);
     s->high = (uint8_t)(s->radius + tp_abs(s->dv));
     if (d->reach * 16 < s->high)
         d->reach = (s->high + 15u) / 16;
     TP_ASSERT(d->reach <= TP_STREAK_REACH);
     s->next = *band;
-    *band = (uint16_t)d->count;
+    *band = (uint16_t)++d->count;
+}
+
+/* -- the specks of a picture --------------------------------------------------------- */
+
+/* Adds a speck's streak, or its dashes by the stage for them. */
+static void add_speck(const tp_frame *frame, tp_streaks *d, tp_stage dashes,
+                      const tp_speck_place *place)
+{
+    const tp_dash_task task = { d, place };
+    tp_run run;
+
+    run.mine = &task;
+    if (!d->dashes)
+        add_streak(frame, d, place, &run);
+    else if (dashes)
+        dashes(&frame->shade, &run);
+}
+
+/* Empties the lists of bands or rows, and the colours of dashes. */
+static void clear_streaks(const tp_frame *frame, tp_streaks *d)
+{
+    d->list = own_list(frame);
+    d->foam_colour = (uint32_t)frame->scene->foam.colour;
+    d->count = 0;
+    d->reach = 0;
+    memset(d->first, 0, d->bands * sizeof *d->first);
+    if (d->dashes) {
+        d->dashes->count = 0;
+        memset(d->dashes->colour, 0, sizeof d->dashes->colour);
+    }
 }
 
 static void project_specks(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
@@ -189,47 +230,67 @@ static void project_specks(tp_frame *frame, void *mine, tp_view *view, tp_grid_b
     tp_streaks *d = mine;
     const tp_spray *spray = tp_spray_of_world(frame->world);
     const bool under = frame->under, clear = frame->scene->water.clarity > 0;
-    const tp_shaders *list = own_list(frame);
+    const tp_stage dashes = tp_frame_module_stages(frame, TP_SPRAY_ID)[DASHES];
+    tp_speck_place place;
 
     (void)box;
-    if (!view->picture || !list)
+    if (!view->picture)
         return;
-    d->count = 0;
-    d->reach = 0;
-    memset(d->first, 0, d->bands * sizeof *d->first);
+    clear_streaks(frame, d);
+    if (!d->list)
+        return;
     for (uint32_t i = 0; spray && i < spray->count && d->count < d->room; i++) {
         const tp_speck *s = &tp_spray_list(spray)[i];
         const bool bubble = s->kind == TP_SPECK_BUBBLE;
-        const uint32_t opacity =
-            bubble && !under && !clear
-                ? 0 : project_speck(frame, s, bubble && !under, &d->streak[d->count]);
-        if (opacity > 0)
-            add_streak(frame, d, list, opacity);
+        if (bubble && !under && !clear)
+            continue;
+        if (project_speck(frame, s, bubble && !under, &place))
+            add_speck(frame, d, dashes, &place);
     }
 }
 
-/* ----------------------------------------------------------------------------------- */
+/* -- the module ---------------------------------------------------------------------- */
 
 /* Adds the colour of specks to their own list, the streaks to all others. */
 static void add_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
                        tp_shaders *list)
 {
-    const bool own = list->owner == &tp_spray_drawing;
+    const tp_streaks *d = mine;
 
     (void)frame;
-    tp_shaders_add(list, own ? TP_AT_COLOUR : TP_AT_TONE, stage[own ? 0 : 1], mine);
+    if (list->owner == &tp_spray_drawing)
+        tp_shaders_add(list, TP_AT_COLOUR, stage[COLOUR], mine);
+    else
+        tp_shaders_add(list, TP_AT_TONE, stage[d->dashes ? FAST : BLEND], mine);
 }
 
+/* Allocates the dashes: two for each speck, and a list for each row of the picture. */
+static tp_dashes *layout_dashes(tp_arena *arena, const tp_module_conditions *conditions)
+{
+    const uint32_t room = 2 * (uint32_t)conditions->scene->spray.count;
+    tp_dashes *dashes = tp_arena_alloc(arena, 1, sizeof *dashes);
+    tp_dash   *all = tp_arena_alloc(arena, room, sizeof *all);
+
+    if (dashes)
+        *dashes = (tp_dashes){ .room = room, .width = (int32_t)conditions->width,
+                               .height = (int32_t)conditions->height, .dash = all };
+    return dashes;
+}
+
+/* The rung is fixed here: each has its own memory. */
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
+    const bool fast = conditions->scene->quality.spray == TP_RUNG_FAST;
     const uint32_t room = (uint32_t)conditions->scene->spray.count;
-    const uint32_t bands = conditions->height / TP_STREAK_BAND + 1;
+    const uint32_t bands = fast ? conditions->height : conditions->height / TP_STREAK_BAND + 1;
     tp_streaks *d = tp_arena_alloc(arena, 1, sizeof *d);
-    tp_streak  *all = tp_arena_alloc(arena, room, sizeof *all);
+    tp_dashes  *dashes = fast ? layout_dashes(arena, conditions) : NULL;
+    tp_streak  *all = fast ? NULL : tp_arena_alloc(arena, room, sizeof *all);
     uint16_t   *first = tp_arena_alloc(arena, bands, sizeof *first);
 
     if (d)
-        *d = (tp_streaks){ .room = room, .bands = bands, .streak = all, .first = first };
+        *d = (tp_streaks){ .room = room, .bands = bands, .streak = all, .first = first,
+                           .dashes = dashes };
     return d;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The span stages of spray: the colour of a speck, and the streaks over shaded samples. */
 #include "features/spray/spray.h"
-#include "raster/raster.h"
 #include "shade/shade.h"
 #include "tidepool/modules.h"
 
@@ -12,15 +11,6 @@ void tp_stage_spray(const tp_shade *shade, tp_run *run)
     (void)shade;
     for (int32_t i = 0; i < run->count; i++)
         run->colour[i] = d->colour;
-}
-
-/* True if the sample lies before the streak.  Clear water does not hide a bubble. */
-static bool is_hidden(const tp_streak *s, uint32_t sample)
-{
-    const bool through = s->key & 1;
-
-    return (s->key & ~(uint32_t)0xff) <= (sample | 0xff)
-           && !(through && TP_MARK(sample) == TP_MARK_WATER);
 }
 
 /* The numbers of a streak in one row of pixels. */
@@ -69,7 +59,7 @@ static void blend_streak(const tp_streak *s, tp_run *run)
     for (int32_t x = low > run->x ? low : run->x; x < stop; x++) {
         const int32_t  i = x - run->x;
         const uint32_t share = opacity_in_row(s, &r, 16 * x + 8 - s->u);
-        if (share > 0 && !is_hidden(s, run->key[i]))
+        if (share > 0 && !tp_speck_is_hidden(s->key, run->key[i]))
             run->colour[i] = tp_colour_mix(run->colour[i], s->colour & 0xffffff, share);
     }
 }
