@@ -102,7 +102,10 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
       "swells that move vertices: all, those above 1/2 px, or above 1 px") \
     X(normals, "auto|exact|fast", 2, "normals of vertices: by the Jacobian, or one bend") \
     X(sine, "auto|exact|fast", 2, "sines of vertices: linear, or the nearest of a table") \
-    X(spray, "auto|exact|fast", 2, "spray: light, haze and shape of each speck, or coarse")
+    X(spray, "auto|exact|fast", 2, "spray: light, haze and shape of each speck, or coarse") \
+    X(spray, "auto|exact|fast", 2, "spray: light, haze and shape of each speck, or coarse") \
+    X(exposure, "auto|exact|fast", 2, \
+      "exposure: exact sky with light beyond white; or without, steps of 1/64")
 
 /* The first rungs of every effect. */
 enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST, TP_RUNG_PAIRS };

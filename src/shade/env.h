@@ -251,6 +251,19 @@ static inline uint32_t tp_env_sample(const tp_shade *shade, int32_t x, int32_t y
                               tp_env_mip_level(shade, shade->env.kind, 0), x, y, z);
 }
 
+/* Returns the share of light beyond white that exact stages add: hdr.share, or none with
+ * quality.exposure=fast.  The fast sky always adds it, at no cost. */
+static inline tp_fx tp_exact_hdr_share(const tp_scene *scene)
+{
+    return scene->quality.exposure == TP_RUNG_FAST ? 0 : scene->hdr.share;
+}
+
+/* True if exact stages add light beyond white. */
+static inline bool tp_has_hdr_stages(const tp_shade *shade, const tp_scene *scene)
+{
+    return shade->env.beyond && tp_exact_hdr_share(scene) > 0;
+}
+
 /* Returns 256 times the intensity of light with this alpha [F8]. */
 TP_ALWAYS_INLINE uint32_t tp_hdr_gain(const tp_shade *shade, uint32_t light_argb)
 {

@@ -190,6 +190,9 @@ static const struct {
     { "quality.spray", "auto", TP_RUNG_AUTO },
     { "quality.spray", "exact", TP_RUNG_EXACT },
     { "quality.spray", "fast", TP_RUNG_FAST },
+    { "quality.exposure", "auto", TP_RUNG_AUTO },
+    { "quality.exposure", "exact", TP_RUNG_EXACT },
+    { "quality.exposure", "fast", TP_RUNG_FAST },
 };
 
 enum { WORDS = sizeof words / sizeof words[0] };

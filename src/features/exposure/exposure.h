@@ -33,6 +33,17 @@ typedef struct {
 /* Fills the tone curve of a channel for an exposure of 1/8..8. */
 void tp_exposure_make_tone_curve(tp_entry8 tone[256], tp_fx exposure);
 
+/* Returns the exposure of quality.exposure=fast: the nearest of 64 steps from each power of
+ * two to the next, within 1/128 of itself.  The tables of several frames are then the same,
+ * and a picture depends on no other. */
+static inline tp_fx tp_exposure_coarse(tp_fx exposure)
+{
+    TP_ASSERT(exposure >= 64);
+    const tp_fx step = (tp_fx)(0x80000000u >> tp_clz((uint32_t)exposure)) / 64;
+
+    return (exposure + step / 2) & -step;
+}
+
 /* True if the exposure is automatic. */
 bool tp_world_is_metered(const tp_world *world);
 

@@ -23,12 +23,20 @@ static void init(tp_frame *frame, void *mine)
     e->made_for = 0;
 }
 
+static tp_fx drawn_exposure(const tp_frame *frame)
+{
+    const tp_fx exposure = frame->drawn.exposure;
+
+    return frame->scene->quality.exposure == TP_RUNG_FAST ? tp_exposure_coarse(exposure)
+                                                          : exposure;
+}
+
 /* Makes the tone tables if the exposure changed, and chooses the method.  Panes of glass
  * and overlays must be drawn over tone-mapped colours: both exclude the pixel table. */
 static void begin_tone_mapping(tp_frame *frame, void *mine)
 {
     tp_exposure *e = mine;
-    const tp_fx exposure = frame->drawn.exposure;
+    const tp_fx exposure = drawn_exposure(frame);
 
     if (exposure == TP_FX_ONE)
         return;
@@ -45,7 +53,7 @@ static void begin_tone_mapping(tp_frame *frame, void *mine)
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                       tp_shaders *list)
 {
-    if (frame->drawn.exposure != TP_FX_ONE && !frame->tone_map)
+    if (drawn_exposure(frame) != TP_FX_ONE && !frame->tone_map)
         tp_shaders_add(list, TP_AT_TONE, stage[0], mine);
 }
 

@@ -5,6 +5,7 @@
  */
 #include "features/water/water.h"
 #include "frame/frame.h"
+#include "shade/env.h"
 #include "shade/rough_lobe.h"
 #include "world/pools.h"
 
@@ -258,7 +259,8 @@ static void begin_reflectance(tp_frame *frame, void *mine)
 static void add_reflect_and_fresnel_stages(const tp_frame *frame, const tp_stage *stage,
                                            tp_shaders *list)
 {
-    const bool hdr = frame->shade.env.beyond && stage[TP_NTH_fresnel_hdr];
+    const bool hdr =
+        tp_has_hdr_stages(&frame->shade, frame->scene) && stage[TP_NTH_fresnel_hdr];
 
     if (frame->shade.env.kind == TP_ENV_GRADIENT)
         tp_shaders_add(list, TP_AT_REFLECT, stage[TP_NTH_reflect_gradient], NULL);

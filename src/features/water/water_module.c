@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's modules: their conditions, and their cost traits for the plan's estimate. */
 #include "features/water/water.h"
+#include "shade/env.h"
 #include "world/pools.h"
 
 /* -- layers -------------------------------------------------------------------------- */
@@ -136,7 +137,7 @@ static bool is_priced(const tp_module_conditions *conditions)
 {
     const bool sky = conditions->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
 
-    return conditions->scene->hdr.share <= 0 && (tp_ripple_enabled(conditions) || !sky)
+    return tp_exact_hdr_share(conditions->scene) <= 0 && (tp_ripple_enabled(conditions) || !sky)
            && !(conditions->above & TP_MODULE_UNPRICED);
 }
 
