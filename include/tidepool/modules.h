@@ -289,7 +289,9 @@ typedef struct {
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_clear_water(X) \
     X(refract) X(refract_rippled) X(refract_dispersed) X(refract_rippled_dispersed) \
-    X(quick_refract)        /* fast: the floor; light on the water's own colour */
+    X(quick_refract)        /* fast: the floor; light on the water's own colour */ \
+    X(refract_shifted) X(refract_rippled_shifted)   /* with fast dispersion */ \
+    X(quick_refract_shifted)
 #define TP_STAGES_OF_foam(X) \
     X(foam) X(foam_rippled) X(foam_shiny) X(foam_shiny_rippled)     /* reduces glint */ \
     X(foam_packed)      /* after fast stages */ \

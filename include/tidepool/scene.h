@@ -104,6 +104,8 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(sine, "auto|exact|fast", 2, "sines of vertices: linear, or the nearest of a table") \
     X(spray, "auto|exact|fast", 2, "spray: light, haze and shape of each speck, or coarse") \
     X(spray, "auto|exact|fast", 2, "spray: light, haze and shape of each speck, or coarse") \
+    X(dispersion, "auto|exact|fast|off", 3, \
+      "dispersion: a ray for each colour, moved places, or none") \
     X(exposure, "auto|exact|fast", 2, \
       "exposure: exact sky with light beyond white; or without, steps of 1/64")
 
@@ -119,6 +121,9 @@ typedef struct {
 #undef X
     tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
 } tp_scene_quality;
+
+/* The last rung of quality.dispersion. */
+enum { TP_DISPERSION_OFF = TP_RUNG_FAST + 1 };
 
 /* The rungs of quality.mesh. */
 enum { TP_MESH_AUTO, TP_MESH_FULL, TP_MESH_MIDDLE, TP_MESH_LOW };

@@ -232,6 +232,19 @@ TP_ALWAYS_INLINE uint32_t tp_mip_level_sample_linear(const tp_mip_level *l, uint
     return tp_split_rgb_join(tp_four_interpolate(&f));
 }
 
+/* The channel at bit `shift` of tp_mip_level_sample_linear, 0..255. */
+TP_ALWAYS_INLINE uint32_t tp_mip_level_channel_linear(const tp_mip_level *l, uint32_t s,
+                                                      uint32_t t, int shift)
+{
+    tp_four  f = tp_four_gather_centred(l, s, t);
+    uint32_t above = tp_channel_mix(f.texel[0] >> shift & 0xff,
+                                    f.texel[1] >> shift & 0xff, f.fs);
+    uint32_t below = tp_channel_mix(f.texel[2] >> shift & 0xff,
+                                    f.texel[3] >> shift & 0xff, f.fs);
+
+    return tp_channel_mix(above, below, f.ft);
+}
+
 /* -- the mipmap level of a layer ----------------------------------------------------- */
 
 static inline int tp_layer_mip_level(const tp_shade *shade, const tp_layer *layer,
@@ -360,13 +373,9 @@ TP_ALWAYS_INLINE uint32_t tp_wall_material_channel(const tp_wall_material *mater
     if (!material->texture)
         return colour;
     tp_mip_level level = tp_wall_material_level(material, far, ground);
-    tp_four  f = tp_four_gather_centred(&level, (uint32_t)x * material->per_metre,
-                                (uint32_t)z * material->per_metre);
-    uint32_t above = tp_channel_mix(f.texel[0] >> shift & 0xff,
-                                    f.texel[1] >> shift & 0xff, f.fs);
-    uint32_t below = tp_channel_mix(f.texel[2] >> shift & 0xff,
-                                    f.texel[3] >> shift & 0xff, f.fs);
-    return tp_divide_by_255(tp_channel_mix(above, below, f.ft) * colour);
+    return tp_divide_by_255(
+        tp_mip_level_channel_linear(&level, (uint32_t)x * material->per_metre,
+                                    (uint32_t)z * material->per_metre, shift) * colour);
 }
 
 /* Returns a matt colour lit by sun and ambient light; `normal` is the surface normal. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* View rays in the water: intersection with floor or walls, and the light from the hit
  * point; see optics.h and refracted_ray.h. */
+#include "shade/caustic_light.h"
 #include "shade/env.h"
 #include "shade/material.h"
 #include "shade/refracted_ray.h"
@@ -94,54 +95,7 @@ tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
     return bed;
 }
 
-/* -- caustics ------------------------------------------------------------------------ */
-
-/* Coordinate on the caustics map in cells, 16.16, mirrored at the map's edges and clamped
- * to the range between the centres of the first and the last cell. */
-static inline int32_t mirrored_map_coordinate(int64_t metres, uint32_t per_metre,
-                                              uint32_t cells)
-{
-    int64_t at = metres * (int64_t)per_metre >> 16, side = (int64_t)cells * 65536;
-
-    at = at < 0 ? -at : at > side ? 2 * side - at : at;
-    at -= 0x8000;
-    return (int32_t)(at < 0 ? 0 : at > side - 65536 ? side - 65536 : at);
-}
-
-/* Returns the fade at the map's edges: 0 at an edge, 256 from an eighth of the side on. */
-static inline int32_t map_edge_fade(int32_t at, uint32_t cells)
-{
-    int32_t last = (int32_t)(cells - 1) * 65536, edge = at < last - at ? at : last - at;
-    int32_t share = edge / (int32_t)(cells * 32);
-    return share < 256 ? share : 256;
-}
-
-/* Returns the caustics' factor of the sunlight on a floor or a wall, 256 is 1. */
-static int32_t caustic_sample(const tp_caustic *c, tp_vec3 at)
-{
-    if (at.y >= 0)
-        return 256;
-    int64_t x = (int64_t)at.x - c->x - ((int64_t)c->lean_x * at.y >> 14);
-    int64_t z = (int64_t)at.z - c->z - ((int64_t)c->lean_z * at.y >> 14);
-    int32_t u = mirrored_map_coordinate(x, c->per_metre_x, c->cells);
-    int32_t v = mirrored_map_coordinate(z, c->per_metre_z, c->cells);
-    uint32_t i = (uint32_t)u >> 16, j = (uint32_t)v >> 16, n = c->cells;
-    uint32_t right = i + 1 < n ? 1 : 0, below = j + 1 < n ? n : 0;
-    const uint16_t *cell = c->light + j * n + i;
-    int32_t fu = u >> 8 & 0xff, fv = v >> 8 & 0xff;
-    int32_t top = cell[0] * (256 - fu) + cell[right] * fu;
-    int32_t low = cell[below] * (256 - fu) + cell[below + right] * fu;
-    int32_t light = (top >> 8) + (((low >> 8) - (top >> 8)) * fv >> 8);
-    int64_t deep = -(int64_t)at.y * c->per_depth >> 16;
-    int32_t share = c->strength * (int32_t)(deep < 256 ? deep : 256) >> 8;
-
-    if (c->fades) {
-        int32_t eu = map_edge_fade(u, n), ev = map_edge_fade(v, n);
-        share = share * (eu < ev ? eu : ev) >> 8;
-    }
-    light = 256 + ((light - 256) * share >> 8);
-    return light > 0 ? light : 0;
-}
+/* -- light --------------------------------------------------------------------------- */
 
 /* Returns the factor of a colour in the light at a point, Q8. */
 static inline uint32_t light_factor(const tp_shade *shade, int32_t nl, tp_vec3 at)
@@ -296,6 +250,56 @@ void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground unde
     for (int32_t k = 0; k < count; k++, ray++, under++) {
         hit h = first_hit(shade->underwater, under, ray->at, ray->way);
         seen[k] |= shade_hit_channel(shade, under->nl, h, ray, body[k], shift);
+    }
+}
+
+/* Returns the texel at (s, t), with red at a place shifted by (ds, dt), and blue at one
+ * shifted the other way.  Shifts below a 16th of a texel are left out. */
+static uint32_t sample_shifted(const tp_mip_level *level, uint32_t s, uint32_t t, uint32_t ds,
+                               uint32_t dt)
+{
+    const uint32_t texel = tp_mip_level_sample_linear(level, s, t);
+    const uint32_t least_s = level->half_s / 8, least_t = level->half_t / 8;
+
+    if (ds + least_s < 2 * least_s && dt + least_t < 2 * least_t)
+        return texel;
+    return (texel & 0xff00) | tp_mip_level_channel_linear(level, s + ds, t + dt, 16) << 16
+         | tp_mip_level_channel_linear(level, s - ds, t - dt, 0);
+}
+
+/* The same as shade_hit for a hit of the floor, with shifted red and blue. */
+static inline uint32_t shade_floor_shifted(const tp_shade *shade, int32_t floor_nl, hit h,
+                                           const tp_refracted_ray *ray,
+                                           const tp_place_shift *shift, uint32_t body)
+{
+    const tp_wall_material *coat = &shade->underwater->floor;
+    const spot s = describe_hit_point(shade, floor_nl, h, ray->at, ray->way, ray->far);
+    const tp_mip_level level = tp_wall_material_level(coat, s.far, true);
+    const uint32_t dx = (uint32_t)((int64_t)shift->x * h.way >> 16) * coat->per_metre;
+    const uint32_t dz = (uint32_t)((int64_t)shift->z * h.way >> 16) * coat->per_metre;
+    const uint32_t texel = sample_shifted(&level, (uint32_t)s.x * coat->per_metre,
+                                          (uint32_t)s.z * coat->per_metre, dx, dz);
+
+    return tp_absorb_apply(&shade->underwater->absorb,
+                           tp_colour_brighten(tp_colour_times(texel, coat->colour), s.light),
+                           body, h.way);
+}
+
+void tp_underwater_shade_row_shifted(const tp_shade *shade, const tp_floor_plane ends[2],
+                                     const tp_refracted_ray ray[],
+                                     const tp_place_shift shift[], int32_t count,
+                                     const uint32_t body[], uint32_t seen[])
+{
+    TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
+    const tp_underwater *in = shade->underwater;
+    const int32_t each = over[count - 1];
+
+    for (int32_t k = 0; k < count; k++, ray++) {
+        tp_ground g = ground_between_ends(in, ends, k * each >> 8, ray->at);
+        hit h = first_hit(in, &g, ray->at, ray->way);
+        seen[k] = h.what == FLOOR && in->floor.texture
+            ? shade_floor_shifted(shade, g.nl, h, ray, &shift[k], body[k])
+            : shade_hit(shade, g.nl, h, ray->at, ray->way, ray->far, body[k]);
     }
 }
 

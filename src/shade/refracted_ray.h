@@ -135,6 +135,19 @@ void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground unde
                                      const tp_refracted_ray ray[], int32_t count,
                                      const uint32_t body[], int shift, uint32_t seen[]);
 
+/* A shift of the place where red meets the floor, m per m of path in the water, Q16; that
+ * of blue is its opposite. */
+typedef struct {
+    int32_t x, z;
+} tp_place_shift;
+
+/* The same for colours of a floor that red and blue see at shifted places; walls, light and
+ * absorption are those of green. */
+void tp_underwater_shade_row_shifted(const tp_shade *shade, const tp_floor_plane ends[2],
+                                     const tp_refracted_ray ray[],
+                                     const tp_place_shift shift[], int32_t count,
+                                     const uint32_t body[], uint32_t seen[]);
+
 /* Colour of a ray that goes up and has reached the surface: the sky through Snell's window
  * mixed with the water mirrored by the Fresnel share.  Beyond 48.6 degrees all light is
  * mirrored [F1].  `normal`: of the surface, out of the water, Q1.14.  `deep_colour`: the

@@ -11,6 +11,7 @@
 #include "features/underwater/fast_refraction.h"
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
+#include "tests/lib/clear_water.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/picture_difference.h"
@@ -18,83 +19,8 @@
 #include "world/pools.h"
 
 enum { WIDE = 160, HIGH = 96, PIXELS = WIDE * HIGH };
-enum { GLASS, STONE, BEACH, MAP, LEVEL, KINDS };
-
 static uint64_t chance;
 static test_boat boat;
-
-/* -- scenes of clear water ------------------------------------------------------------- */
-
-static uint16_t heights[16 * 16];
-static const tp_grey hills = { .cols = 16, .rows = 16, .sample = heights };
-
-static void set_tank(tp_scene *s, int kind)
-{
-    s->pool.cols = s->pool.rows = 32;
-    s->pool.cell = TP_FX(0.1);
-    s->grid.vertices = 1089;
-    s->tank.sea = 0;
-    s->tank.kind = kind == GLASS ? TP_TANK_GLASS : TP_TANK_STONE;
-    s->camera.x = chance_fx(&chance, 1.8, 3);
-    s->camera.z = chance_fx(&chance, 1.8, 3);
-    s->camera.y = chance_fx(&chance, 1.5, 3);
-    s->camera.heading = -45 * TP_FX_ONE;
-    s->camera.pitch = -35 * TP_FX_ONE;
-}
-
-static void set_open_water(tp_scene *s, int kind)
-{
-    s->wave[0] = (tp_wave){ .amplitude = TP_FX(0.1), .length = 9 * TP_FX_ONE,
-                            .steepness = TP_FX(0.05), .heading = 60 * TP_FX_ONE,
-                            .speed = TP_FX_ONE, .exponent = 1 };
-    s->floor.depth = 2 * TP_FX_ONE;
-    s->floor.slope = kind == BEACH ? TP_FX(0.1) : 0;
-    s->floor.map_size = 60 * TP_FX_ONE;
-    s->floor.map_low = -3 * TP_FX_ONE;
-    s->floor.map_high = TP_FX_ONE;
-    s->camera.y = chance_fx(&chance, 1, 4);
-    s->camera.heading = chance_fx(&chance, 0, 360);
-    s->camera.pitch = chance_fx(&chance, -40, -15);
-}
-
-static tp_scene clear_scene(int kind)
-{
-    tp_scene s;
-
-    tp_scene_level(&s);
-    s.water.clarity = 3 * TP_FX_ONE;
-    s.water.caustics = kind == STONE || kind == BEACH ? 0 : TP_FX_ONE;
-    s.water.caustic_cells = 32;
-    s.camera.near = TP_FX(0.05);
-    s.quality.shading = TP_SHADING_QUICK;
-    s.quality.refraction = TP_RUNG_FAST;
-    s.quality.rate = TP_RATE_FULL;
-    s.quality.visibility = TP_VISIBILITY_TRIANGLES;
-    if (kind == GLASS || kind == STONE)
-        set_tank(&s, kind);
-    else
-        set_open_water(&s, kind);
-    return s;
-}
-
-static tp_assets clear_assets(int kind)
-{
-    return (tp_assets){ .tank_wall = &boat.texture[0], .tank_floor = &boat.texture[1],
-                        .floor_texture = &boat.texture[0],
-                        .floor = kind == MAP ? &hills : NULL };
-}
-
-/* Returns the world after some steps with a splash. */
-static tp_world *stirred_world(const tp_scene *s, const tp_assets *assets)
-{
-    tp_world *world = scene_world(s, assets);
-    const tp_input poke = { .push[0].height = TP_FX(0.05) };
-
-    assert_non_null(world);
-    for (int i = 0; i < 20; i++)
-        tp_world_step(&tp_program_all, world, s, i ? NULL : &poke);
-    return world;
-}
 
 /* -- pictures -------------------------------------------------------------------------- */
 
@@ -121,8 +47,8 @@ static void every_tiling_has_the_same_fast_water(void **state)
     static uint32_t whole[PIXELS], cut[PIXELS];
 
     for (int n = 0; n < 4 * KINDS; n++) {
-        const tp_scene s = clear_scene(n % KINDS);
-        const tp_assets assets = clear_assets(n % KINDS);
+        const tp_scene s = clear_scene(n % KINDS, &chance);
+        const tp_assets assets = clear_assets(n % KINDS, &boat);
         tp_world *world = stirred_world(&s, &assets);
         assert_true(draw(&s, &assets, world, 0, 0, whole));
         for (int k = 0; k < 3; k++) {
@@ -144,8 +70,8 @@ static void fast_water_is_near_the_exact_one(void **state)
     static const double bound[KINDS] = { 14.4, 9.9, 12, 10.4, 9.8 };
 
     for (int n = 0; n < 6 * KINDS; n++) {
-        tp_scene s = clear_scene(n % KINDS);
-        const tp_assets assets = clear_assets(n % KINDS);
+        tp_scene s = clear_scene(n % KINDS, &chance);
+        const tp_assets assets = clear_assets(n % KINDS, &boat);
         tp_world *world = stirred_world(&s, &assets);
         assert_true(draw(&s, &assets, world, 0, 0, fast));
         s.quality.shading = TP_SHADING_EXACT;
@@ -162,8 +88,8 @@ static void the_exact_rung_keeps_exact_stages(void **state)
 {
     (void)state;
     static uint32_t named[PIXELS], exact[PIXELS];
-    tp_scene s = clear_scene(LEVEL);
-    const tp_assets assets = clear_assets(LEVEL);
+    tp_scene s = clear_scene(LEVEL, &chance);
+    const tp_assets assets = clear_assets(LEVEL, &boat);
     tp_world *world = stirred_world(&s, &assets);
 
     s.quality.refraction = TP_RUNG_EXACT;
@@ -184,7 +110,7 @@ static void deep_water_has_one_colour(void **state)
     static uint32_t pixels[PIXELS];
 
     for (int n = 0; n < 2; n++) {
-        tp_scene s = clear_scene(LEVEL);
+        tp_scene s = clear_scene(LEVEL, &chance);
         s.floor.depth = n ? 200 * TP_FX_ONE : 0;
         s.water.reflection = s.water.specular = s.water.caustics = 0;
         const tp_assets assets = { .boat = NULL };
@@ -230,8 +156,8 @@ static void fewer_cells_gather_as_much_light(void **state)
     static const uint32_t want[] = { 32, 32, 16, 8 };
 
     for (int rung = 0; rung < 4; rung++) {
-        tp_scene s = clear_scene(GLASS);
-        const tp_assets assets = clear_assets(GLASS);
+        tp_scene s = clear_scene(GLASS, &chance);
+        const tp_assets assets = clear_assets(GLASS, &boat);
         tp_world *world = stirred_world(&s, &assets);
         uint32_t cells;
         s.quality.caustics = rung;
@@ -246,7 +172,7 @@ static void fewer_cells_gather_as_much_light(void **state)
 static void a_dearer_rung_keeps_to_the_memory_of_init(void **state)
 {
     (void)state;
-    tp_scene s = clear_scene(GLASS);
+    tp_scene s = clear_scene(GLASS, &chance);
     tp_world *world = scene_world(&s, NULL);
     const tp_config c = { .width = 32, .height = 32, .format = TP_FORMAT_XRGB8888 };
 
@@ -267,8 +193,7 @@ int main(void)
 {
     chance = random_seed();
     boat_make(&boat, &chance);
-    for (int i = 0; i < 16 * 16; i++)
-        heights[i] = (uint16_t)(32768 + 25000 * sin(i / 40.0));
+    make_hills();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_tiling_has_the_same_fast_water),
         cmocka_unit_test(fast_water_is_near_the_exact_one),

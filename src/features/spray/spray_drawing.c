@@ -282,7 +282,8 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
     const bool fast = conditions->scene->quality.spray == TP_RUNG_FAST;
     const uint32_t room = (uint32_t)conditions->scene->spray.count;
-    const uint32_t bands = fast ? conditions->height : conditions->height / TP_STREAK_BAND + 1;
+    const uint32_t bands = fast ? conditions->height
+                                : conditions->height / TP_STREAK_BAND + 1;
     tp_streaks *d = tp_arena_alloc(arena, 1, sizeof *d);
     tp_dashes  *dashes = fast ? layout_dashes(arena, conditions) : NULL;
     tp_streak  *all = fast ? NULL : tp_arena_alloc(arena, room, sizeof *all);

@@ -92,6 +92,48 @@ LOOP read_texels(const tp_wall_material *floor, const tp_floor_block *block,
                                               at[j].z * floor->per_metre);
 }
 
+/* True if red or blue is shifted by a texel or more anywhere in the block. */
+static bool is_shift_visible(const tp_mip_level *level, uint32_t per_metre,
+                             const tp_floor_block *block)
+{
+    const int32_t last = block->count - 1;
+    const tp_fx x = block->shift_x, end_x = x + last * block->shift_step_x;
+    const tp_fx z = block->shift_z, end_z = z + last * block->shift_step_z;
+    const tp_fx most_x = tp_abs(x) > tp_abs(end_x) ? tp_abs(x) : tp_abs(end_x);
+    const tp_fx most_z = tp_abs(z) > tp_abs(end_z) ? tp_abs(z) : tp_abs(end_z);
+
+    return (uint64_t)(uint32_t)most_x * per_metre >= 2ull * level->half_s
+        || (uint64_t)(uint32_t)most_z * per_metre >= 2ull * level->half_t;
+}
+
+/* Replaces red and blue of the texels by those at shifted places. */
+LOOP shift_texels(const tp_mip_level *level, uint32_t per_metre, const tp_floor_block *block,
+                  const tp_floor_place *at, uint32_t *restrict texel)
+{
+    for (int32_t j = 0; j < block->samples; j++) {
+        const uint32_t k = (uint32_t)tp_fast_column(block, j);
+        const uint32_t dx = (uint32_t)block->shift_x + k * (uint32_t)block->shift_step_x;
+        const uint32_t dz = (uint32_t)block->shift_z + k * (uint32_t)block->shift_step_z;
+        const uint32_t s = at[j].x * per_metre, ds = dx * per_metre;
+        const uint32_t t = at[j].z * per_metre, dt = dz * per_metre;
+        texel[j] = (texel[j] & 0xff00)
+                 | tp_mip_level_channel_linear(level, s + ds, t + dt, 16) << 16
+                 | tp_mip_level_channel_linear(level, s - ds, t - dt, 0);
+    }
+}
+
+/* Reads the floor's texels, with red and blue at shifted places where that is visible. */
+static void read_shifted_texels(const tp_wall_material *floor, const tp_floor_block *block,
+                                const tp_floor_place *at, uint32_t *texel)
+{
+    read_texels(floor, block, at, texel);
+    if (!floor->texture)
+        return;
+    const tp_mip_level level = tp_wall_material_level(floor, block->far, true);
+    if (is_shift_visible(&level, floor->per_metre, block))
+        shift_texels(&level, floor->per_metre, block, at, texel);
+}
+
 /* Returns a channel: the texel and the water's own colour in the halves of a word times
  * their weights, whose sum is at most 2^14. */
 TP_ALWAYS_INLINE uint32_t mix_channel(uint32_t colours, uint32_t weights)
@@ -146,7 +188,8 @@ static void fill_columns(const tp_floor_block *block, const uint32_t *restrict m
     colour[block->count - 1] = here;
 }
 
-void tp_fast_floor_shade(const tp_shade *shade, const tp_floor_block *block, tp_run *run)
+TP_ALWAYS_INLINE void shade_floor(const tp_shade *shade, const tp_floor_block *block,
+                                  tp_run *run, int shifted)
 {
     const tp_underwater *in = shade->underwater;
     uint32_t texel[TP_FAST_SAMPLES], mixed[TP_FAST_SAMPLES];
@@ -154,11 +197,25 @@ void tp_fast_floor_shade(const tp_shade *shade, const tp_floor_block *block, tp_
     tp_floor_place place[TP_FAST_SAMPLES];
 
     set_places(block, run, place);
-    read_texels(&in->floor, block, place, texel);
+    if (shifted)
+        read_shifted_texels(&in->floor, block, place, texel);
+    else
+        read_texels(&in->floor, block, place, texel);
     if (shade->caustic)
         tp_fast_caustics_light(shade, block, place, texel);
     mix_floor(block, in->deep, texel, colour, mixed);
     if (in->walled || in->island)
         tp_fast_walls(shade, block, place, colour, mixed);
     fill_columns(block, mixed, colour);
+}
+
+void tp_fast_floor_shade(const tp_shade *shade, const tp_floor_block *block, tp_run *run)
+{
+    shade_floor(shade, block, run, 0);
+}
+
+void tp_fast_floor_shade_shifted(const tp_shade *shade, const tp_floor_block *block,
+                                 tp_run *run)
+{
+    shade_floor(shade, block, run, 1);
 }

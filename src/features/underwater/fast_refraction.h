@@ -28,6 +28,8 @@ typedef struct {
     int32_t  light, sun;        /* of the floor without caustics, its direct part; Q8 */
     uint32_t weights[3], weights_step[3];
     uint32_t lit;               /* light on level water, Q8 */
+    tp_fx    shift_x, shift_z;  /* of red's place on the floor in the first column; blue's */
+    tp_fx    shift_step_x, shift_step_z;        /* is the opposite; per column; m */
 } tp_floor_block;
 
 /* Place of a sample on the floor, and its rest position on the surface, m, 16.16. */
@@ -47,8 +49,10 @@ static inline uint32_t tp_fast_own_colour(uint32_t deep, uint32_t colour, uint32
     return tp_colour_mix(deep, tp_colour_scale(colour, lit), 64);
 }
 
-/* Shades the columns of a block. */
+/* Shades the columns of a block, with red and blue at the places of green, or shifted. */
 void tp_fast_floor_shade(const tp_shade *shade, const tp_floor_block *block, tp_run *run);
+void tp_fast_floor_shade_shifted(const tp_shade *shade, const tp_floor_block *block,
+                                 tp_run *run);
 
 /* Multiplies the texels of the samples by the light at their places. */
 void tp_fast_caustics_light(const tp_shade *shade, const tp_floor_block *block,

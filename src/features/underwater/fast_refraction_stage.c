@@ -13,55 +13,21 @@
  *     d lean / d ci = eta (1 - eta ci / ct) = g,   d ci = in.x dsx + in.z dsz
  *     d way.x = -lean dsx,   d way.y = g d ci
  *
- * One plane stands for the floor of a block.  Dispersion is ignored.  fast_floor_stage.c has
+ * With quality.dispersion=fast, red and blue see the floor at shifted places, by the
+ * derivative of the way by eta at level water, d place.x = path in.x d eta / ct^2 and
+ * d place.z likewise; other rungs leave dispersion out.
+ * One plane stands for the floor of a block.  fast_floor_stage.c has
  * the colours of a block, fast_walls_stage.c caustics and the walls of a tank.
  *
  * Errors against the exact stages, as printed by
  * tests/unit/test_features_underwater_quick.c for floors of random texels: 1 to 8 levels of
- * 255 rms; shipped scenes, without foam and mirror, have 32 to 34 dB, pond 30.5: no dispersion.
+ * 255 rms; shipped scenes, without foam and mirror, have 32 to 34 dB.
  */
 #include "features/underwater/underwater.h"
 #include "features/underwater/fast_refraction.h"
 #include "shade/colour.h"
 #include "shade/refracted_ray.h"
 #include "shade/slope.h"
-
-/* -- the numbers of a frame ---------------------------------------------------------- */
-
-/* Returns the path, m, after which each channel has less than 1/128 of its light. */
-static tp_fx opaque_path(const tp_absorb *absorb)
-{
-    uint32_t least = absorb->halvings[0];
-
-    for (int k = 1; k < 3; k++)
-        least = absorb->halvings[k] < least ? absorb->halvings[k] : least;
-    const uint64_t path = ((uint64_t)7 << 32) / (least > 0 ? least : 1);
-    return path < TP_UNDERWATER_FAR ? (tp_fx)path : TP_UNDERWATER_FAR;
-}
-
-/* Returns the floor that all places have; N.L included. */
-static tp_floor_plane common_floor(const tp_underwater *in)
-{
-    tp_floor_plane floor = in->floor_plane;
-
-    if (in->coastal) {
-        floor = tp_underwater_sample_floor(in, (tp_vec3){ 0, 0, 0 });
-        floor.nl = tp_underwater_floor_light_cosine(in, floor.rise_x, floor.rise_z);
-    }
-    return floor;
-}
-
-void tp_fast_refraction_begin(const tp_shade *shade, tp_fast_refraction *fast)
-{
-    const tp_underwater *in = shade->underwater;
-
-    fast->plane = !in->coastal || tp_coastal_floor_is_plane(in->coastal);
-    if (fast->plane)
-        fast->floor = common_floor(in);
-    fast->opaque = opaque_path(&in->absorb);
-    fast->lit =
-        (uint32_t)tp_lit_share(shade->ambient, tp_clamp(shade->world.ly, 0, 16384));
-}
 
 /* -- the ends of a block ------------------------------------------------------------- */
 
@@ -303,11 +269,34 @@ static void set_floor_light(const tp_shade *shade, int32_t nl, tp_floor_block *t
     to->light = shade->ambient + to->sun;
 }
 
+/* Returns red's shift along an axis, m: `way` is the view's direction along the axis above
+ * the water, Q1.14. */
+TP_ALWAYS_INLINE tp_fx shift_along_axis(int32_t spread, const level_view *view, int32_t way,
+                                        tp_fx path)
+{
+    const int32_t square = view->ray.way.y * view->ray.way.y >> 14;
+    return (tp_fx)((int64_t)path * (way * spread / square) >> 14);
+}
+
+/* Sets the shifts of red at the ends of a block. */
+static void set_shifts(const tp_underwater *in, const level_view *a, const level_view *b,
+                       const tp_fx path[2], tp_floor_block *to)
+{
+    const int32_t spread = (in->eta[0] - in->eta[2]) / 2;
+
+    to->shift_x = shift_along_axis(spread, a, a->in.x, path[0]);
+    to->shift_z = shift_along_axis(spread, a, a->in.z, path[0]);
+    to->shift_step_x =
+        step(to->shift_x, shift_along_axis(spread, b, b->in.x, path[1]), to->count);
+    to->shift_step_z =
+        step(to->shift_z, shift_along_axis(spread, b, b->in.z, path[1]), to->count);
+}
+
 /* Sets up the block of columns [i, stop) of a run.  Returns false if nothing but the
  * water's own colour is seen. */
-static bool set_up_block(const tp_shade *shade, const tp_clear_water *clear,
-                         const view_row *row, const tp_run *run, int32_t i, int32_t stop,
-                         tp_floor_block *block)
+TP_ALWAYS_INLINE bool set_up_block(const tp_shade *shade, const tp_clear_water *clear,
+                                   const view_row *row, const tp_run *run, int32_t i,
+                                   int32_t stop, tp_floor_block *block, int shifted)
 {
     const tp_fast_refraction *fast = &clear->fast;
     const tp_underwater *in = shade->underwater;
@@ -337,6 +326,8 @@ static bool set_up_block(const tp_shade *shade, const tp_clear_water *clear,
     set_floor_light(shade, floor->nl, block);
     set_places_of_ends(run, i, stop, &a.ray, &b.ray, path, block);
     set_derivatives(in, &a, floor, block);
+    if (shifted)
+        set_shifts(in, &a, &b, path, block);
     const int32_t light = shade->caustic ? 256 : block->light;
     set_channel(in, light, path, 0, block);
     set_channel(in, light, path, 1, block);
@@ -378,7 +369,7 @@ static void mix_objects(const tp_shade *shade, const tp_planar_map *map, tp_run 
                                                run->colour[i]);
 }
 
-void tp_stage_quick_refract(const tp_shade *shade, tp_run *run)
+TP_ALWAYS_INLINE void shade_run(const tp_shade *shade, tp_run *run, int shifted)
 {
     const tp_clear_water *clear = run->mine;
     const bool floored = shade->underwater->floored || shade->underwater->island;
@@ -387,11 +378,23 @@ void tp_stage_quick_refract(const tp_shade *shade, tp_run *run)
 
     for (int32_t i = 0, stop; i < run->count; i = stop) {
         stop = tp_block_end(run, i);
-        if (floored && set_up_block(shade, clear, &row, run, i, stop, &block))
-            tp_fast_floor_shade(shade, &block, run);
-        else
+        if (!floored || !set_up_block(shade, clear, &row, run, i, stop, &block, shifted))
             shade_deep_water(shade, clear->fast.lit, stop - i, run->colour + i);
+        else if (shifted)
+            tp_fast_floor_shade_shifted(shade, &block, run);
+        else
+            tp_fast_floor_shade(shade, &block, run);
         if (clear->refraction_map)
             mix_objects(shade, clear->refraction_map, run, i, stop);
     }
+}
+
+void tp_stage_quick_refract(const tp_shade *shade, tp_run *run)
+{
+    shade_run(shade, run, 0);
+}
+
+void tp_stage_quick_refract_shifted(const tp_shade *shade, tp_run *run)
+{
+    shade_run(shade, run, 1);
 }

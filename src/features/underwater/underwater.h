@@ -7,7 +7,8 @@
  *                            from above) and refraction (a planar map of the objects under
  *                            the level); the cost of caustics
  *     underwater_stage.c     the span stages of both views
- *     fast_refraction_stage.c  the fast span stage of the view from above;
+ *     fast_refraction_stage.c  the fast span stages of the view from above;
+ *     fast_refraction.c        their numbers of a frame,
  *     fast_floor_stage.c       its floor,
  *     fast_walls_stage.c       its caustics and walls
  *     caustics_drawing.c     the module caustics: sunlight focused on the floor by waves
@@ -39,7 +40,7 @@ typedef struct {
     tp_fast_refraction fast;
 } tp_clear_water;
 
-/* fast_refraction_stage.c.  Sets the numbers of the fast stage. */
+/* fast_refraction.c.  Sets the numbers of the fast stage. */
 void tp_fast_refraction_begin(const tp_shade *shade, tp_fast_refraction *fast);
 
 /* underwater_stage.c.  Returns a colour with the refraction map mixed over it, at sample i
@@ -48,12 +49,15 @@ uint32_t tp_refraction_map_mix(const tp_shade *shade, const tp_planar_map *map,
                                const tp_run *run, int32_t i, tp_fx depth, int32_t nx,
                                int32_t nz, uint32_t colour);
 
-/* name, slopes bent by a ripple, dispersed colours; in the order of the stage table */
+/* name, slopes bent by a ripple, dispersion: 0 none, 1 a ray for each colour, 2 shifted
+ * places */
 #define TP_CLEAR_WATER_STAGES(X) \
     X(refract,                   0, 0) \
     X(refract_rippled,           1, 0) \
     X(refract_dispersed,         0, 1) \
-    X(refract_rippled_dispersed, 1, 1)
+    X(refract_rippled_dispersed, 1, 1) \
+    X(refract_shifted,           0, 2) \
+    X(refract_rippled_shifted,   1, 2)
 
 /* -- the caustics map of a frame ----------------------------------------------------- */
 

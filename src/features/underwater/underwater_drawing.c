@@ -213,7 +213,8 @@ static void set_cost_traits(const tp_module_conditions *conditions,
     trait[TP_TRAIT_tank] = tank;
     trait[TP_TRAIT_chart] = chart;
     trait[TP_TRAIT_bed] = floor && !chart;
-    trait[TP_TRAIT_dispersion] = scene->water.dispersion > 0;
+    trait[TP_TRAIT_dispersion] =
+        scene->water.dispersion > 0 && scene->quality.dispersion <= TP_RUNG_EXACT;
 }
 
 static void *layout_clear_water(tp_arena *arena, const tp_module_conditions *conditions)
@@ -232,17 +233,27 @@ static void begin_clear_water(tp_frame *frame, void *mine)
         tp_fast_refraction_begin(&frame->shade, &clear->fast);
 }
 
+/* The exact stage of each rung of dispersion; the next one is for ripples. */
+static const uint8_t exact_view[] = {
+    [TP_RUNG_AUTO] = TP_NTH_refract_dispersed, [TP_RUNG_EXACT] = TP_NTH_refract_dispersed,
+    [TP_RUNG_FAST] = TP_NTH_refract_shifted, [TP_DISPERSION_OFF] = TP_NTH_refract,
+};
+
 /* Adds the stage.  The exact one reads the view vectors and mixes with the lit colour; the
  * fast one comes before light. */
 static void add_clear_water_stage(const tp_frame *frame, const void *mine,
                                   const tp_stage *stage, tp_shaders *list)
 {
-    const bool dispersed = frame->scene->water.dispersion > 0;
+    const uint32_t rung =
+        frame->scene->water.dispersion > 0 ? (uint32_t)frame->scene->quality.dispersion
+                                           : TP_DISPERSION_OFF;
 
     if (list->kind == TP_LIST_FAST)
-        tp_shaders_add(list, TP_AT_VIEW, stage[TP_NTH_quick_refract], mine);
+        tp_shaders_add(list, TP_AT_VIEW,
+                       stage[rung == TP_RUNG_FAST ? TP_NTH_quick_refract_shifted
+                                                  : TP_NTH_quick_refract], mine);
     if (list->kind == TP_LIST_WATER && tp_shaders_has(list, TP_AT_VIEW))
-        tp_shaders_add(list, TP_AT_REFRACT, stage[list->rippled + 2 * dispersed], mine);
+        tp_shaders_add(list, TP_AT_REFRACT, stage[exact_view[rung] + list->rippled], mine);
 }
 
 const tp_module tp_clear_water_module = {

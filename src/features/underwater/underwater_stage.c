@@ -104,7 +104,14 @@ const tp_stage tp_underwater_stages[] = {
  * left by the earlier stages.  Layers and light therefore still move over deep water,
  * while the shallowest water at a shore shows the land alone.
  *
- * With dispersion each channel has its own refractive index and its own ray. */
+ * With dispersion each channel has its own refractive index and its own ray; or, with
+ * quality.dispersion=fast, red and blue shift green's place on the floor by the derivative
+ * of the refracted ray (see fast_refraction_stage.c) by eta:
+ *
+ *     d way = in + m n,   m = ci + eta si^2 / ct,   si^2 = 1 - ci^2
+ *
+ * and, where the ray meets a level floor, d place = path (d way + way d way.y / ct).  A
+ * block takes ci, ct and m of level water at its first sample. */
 
 /* The surface at a sample, Q1.14: its normal, and the cosine of the angle to the view
  * ray. */
@@ -190,6 +197,36 @@ static void shade_dispersed(const tp_shade *shade, tp_run *run, int32_t i, int32
     }
 }
 
+/* Sets the shifts of red for samples [i, stop); blue's are the opposite.  The derivatives
+ * are below 2^16, half of the difference between red's and blue's eta below 2^13. */
+static void set_shifts(const tp_underwater *in, const tp_run *run, int32_t i, int32_t stop,
+                       const facet *surface, const tp_refracted_ray *ray, tp_place_shift *to)
+{
+    const int32_t eta = in->eta[1], ci = run->vy[i] > 0 ? run->vy[i] : 0;
+    const uint32_t s2 = (1u << 28) - (uint32_t)(ci * ci);
+    const int32_t ct =
+        tp_sqrt_one_minus((uint32_t)((uint64_t)s2 * (uint32_t)in->eta2[1] >> 14));
+    const int32_t more = eta * (int32_t)(s2 >> 14) / ct, m = ci + more;
+    const int32_t fall = more * 16384 / ct, spread = (in->eta[0] - in->eta[2]) / 2;
+
+    for (; i < stop; i++, surface++, ray++, to++) {
+        const int32_t x = -run->vx[i] + ((surface->x * m + ray->way.x * fall) >> 14);
+        const int32_t z = -run->vz[i] + ((surface->z * m + ray->way.z * fall) >> 14);
+        *to = (tp_place_shift){ x * spread >> 12, z * spread >> 12 };
+    }
+}
+
+static void shade_shifted(const tp_shade *shade, tp_run *run, int32_t i, int32_t stop,
+                          const facet *surface, const tp_floor_plane ends[2],
+                          const tp_refracted_ray *ray)
+{
+    tp_place_shift shift[TP_UNDERWATER_ROW];
+
+    set_shifts(shade->underwater, run, i, stop, surface, ray, shift);
+    tp_underwater_shade_row_shifted(shade, ends, ray, shift, stop - i, run->mirror + i,
+                                    run->colour + i);
+}
+
 TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int rippled,
                                         int dispersed)
 {
@@ -208,7 +245,9 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
         refract_rays(shade, run, i, stop, surface, 1, ray);
         ends[0] = tp_underwater_find_floor_plane(shade, ray);
         ends[1] = tp_underwater_find_floor_plane(shade, &ray[count - 1]);
-        if (dispersed)
+        if (dispersed == 2)
+            shade_shifted(shade, run, i, stop, surface, ends, ray);
+        else if (dispersed)
             shade_dispersed(shade, run, i, stop, surface, ends, ray);
         else
             tp_underwater_shade_row(shade, ends, ray, count, body, seen);
@@ -226,8 +265,9 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
 TP_CLEAR_WATER_STAGES(REFRACT_STAGE)
 
 const tp_stage tp_clear_water_stages[] = {
-#define X(name, rippled, dispersed) [2 * (dispersed) + (rippled)] = tp_stage_##name,
+#define X(name, rippled, dispersed) [TP_NTH_##name] = tp_stage_##name,
     TP_CLEAR_WATER_STAGES(X)
 #undef X
     [TP_NTH_quick_refract] = tp_stage_quick_refract,
+    [TP_NTH_quick_refract_shifted] = tp_stage_quick_refract_shifted,
 };
