@@ -103,7 +103,6 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
     X(normals, "auto|exact|fast", 2, "normals of vertices: by the Jacobian, or one bend") \
     X(sine, "auto|exact|fast", 2, "sines of vertices: linear, or the nearest of a table") \
     X(spray, "auto|exact|fast", 2, "spray: light, haze and shape of each speck, or coarse") \
-    X(spray, "auto|exact|fast", 2, "spray: light, haze and shape of each speck, or coarse") \
     X(dispersion, "auto|exact|fast|off", 3, \
       "dispersion: a ray for each colour, moved places, or none") \
     X(exposure, "auto|exact|fast", 2, \
