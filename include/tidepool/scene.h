@@ -97,7 +97,7 @@ typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_r
       "water by lines: each column, without depths, or pairs of columns") \
     X(waves, "auto|exact|fast", 2, "waves of the grid's vertices: in 64 bits, or in 32") \
     X(blending, "auto|exact|rgb565", 2, \
-      "means of columns and rows: of colours, or of packed pixels, in rgb565 pictures") \
+      "means of columns and rows: of colours, or of packed rgb565 pixels") \
     X(geometry, "auto|all|large|largest", 3, \
       "swells that move vertices: all, those above 1/2 px, or above 1 px") \
     X(normals, "auto|exact|fast", 2, "normals of vertices: by the Jacobian, or one bend") \

@@ -25,7 +25,7 @@ void tp_paddle_push(tp_pool *pool, const tp_scene_pool *scene, uint64_t tick);
     TP_ROW_NUMBER(name ".courant", part.courant, "", 0.05, 0.8, 0.484, \
         "Courant number: cells a wave travels in a tick, up to about 0.49"), \
     TP_ROW_CHOICE(name ".interval", part.interval, "1|2|4", 2, 0, \
-        "ticks to a step of the cells, whose Courant number is as often courant"), \
+        "ticks to a step of the cells; their Courant number: interval * courant"), \
     TP_ROW_COUNT(name ".damping", part.damping, "", 4, 10, 6, \
         "m: each tick removes 2^-m of the motion; lower m damps more"), \
     TP_ROW_COUNT(name ".sponge", part.sponge, "cells", 4, 64, 16, \

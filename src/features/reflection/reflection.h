@@ -70,7 +70,7 @@ typedef struct {
         "boat and drops in the water: sharp (stencil), or from a small cube"), \
     TP_ROW_CHOICE("mirror.size", mirror.size, "half|quarter|full", \
         TP_MIRROR_FULL, TP_MIRROR_HALF, \
-        "side of the stencil's image; bytes to half's: quarter 1/4, full 4 times"), \
+        "side of the stencil's image; full takes 4 times the bytes of half"), \
     TP_ROW_NUMBER("mirror.distortion", mirror.distortion, "", 0, 4, 1, \
         "strength with which waves distort the mirrored image")
 

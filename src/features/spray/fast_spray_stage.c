@@ -162,12 +162,13 @@ static void blend_dash(const tp_dash *dash, uint32_t colour, tp_run *run)
     }
 }
 
-/* Blends the dashes of the run's row; their order is the same in every tile. */
+/* Blends the dashes of the run's row; their order is the same in every tile.  Lists are
+ * empty until a picture has a dash. */
 void tp_stage_spray_fast(const tp_shade *shade, tp_run *run)
 {
     const tp_streaks *d = run->mine;
     const tp_dashes *from = d->dashes;
-    uint32_t number = d->first[run->y];
+    uint32_t number = from->count > 0 ? d->first[run->y] : 0;
 
     (void)shade;
     while (number > 0) {

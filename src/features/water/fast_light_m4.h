@@ -47,7 +47,7 @@ TP_ALWAYS_INLINE uint32_t packed_light_and_reflect(const tp_quick_rough *rough,
 
     colour = tp_halves_add_odd_bytes(g & 0xff00ff00, rb);
     return env == TP_ENV_CUBE && light >> 24
-               ? tp_quick_add_beyond(colour, light, mirrors, rough->beyond)
+               ? tp_quick_add_bright(colour, light, mirrors, rough->beyond)
                : colour;
 }
 

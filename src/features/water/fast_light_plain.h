@@ -111,7 +111,7 @@ TP_ALWAYS_INLINE uint32_t plain_light_and_reflect(const plain_tables *t, plain_c
 
     colour = plain_mixed(colour, light, lit * (share >> 16) >> 16, mirrors);
     return env == TP_ENV_CUBE
-               ? tp_quick_add_beyond(colour, light, mirrors, t->beyond)
+               ? tp_quick_add_bright(colour, light, mirrors, t->beyond)
                : colour;
 }
 

@@ -201,7 +201,7 @@ void tp_quick_fill_cube_map(struct tp_quick_light *quick, const tp_shade *shade)
 
 /* Adds the part beyond white of mirrored light [F8]; light: of the cube's map; mirrors: share
  * of 256; beyond: of tp_env. */
-TP_ALWAYS_INLINE uint32_t tp_quick_add_beyond(uint32_t colour, uint32_t light,
+TP_ALWAYS_INLINE uint32_t tp_quick_add_bright(uint32_t colour, uint32_t light,
                                               uint32_t mirrors, uint32_t beyond)
 {
     const uint32_t gain = (light >> 24) * beyond >> 8;      /* 1/256 */
