@@ -159,7 +159,7 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	@$(MAKE) --no-print-directory $(SAN) unit sanitized
 	@$(SOAK) $(RUN) build/log/soak \
 	    $(patsubst %,tests/gates/%.sh,coverage sanitized) \
-	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh \
+	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh tests/accuracy/rungs.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi linuxfb) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count) \
 	    $(patsubst %,tests/host/%.sh,threads saves generators); scripts=$$?; \
