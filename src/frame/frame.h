@@ -318,12 +318,6 @@ static inline bool tp_frame_has_half_lines(const tp_frame *frame)
     return frame->half_lines && frame->scene->quality.lines == TP_RUNG_FAST;
 }
 
-/* True for the rows filled with means at half the rows. */
-static inline bool tp_is_mean_row(int32_t y)
-{
-    return (y & 1) && (y & 15) != 15;
-}
-
 /* Means of rgb565 pixels, for quality.blending = rgb565; packed_rows.c. */
 struct tp_draw_packed_rows {
     void (*draw)(const tp_frame *frame, const tp_gbuffer *samples,

@@ -14,12 +14,6 @@ TP_NEVER_INLINE void restart(tp_fast_rows *rows, const tp_line_sample *far, int3
         tp_fast_rows_draw_line(rows, far, top);
 }
 
-/* See tp_fast_rows.means. */
-TP_ALWAYS_INLINE bool is_mean_row(int32_t y)
-{
-    return (y & 1) && (y & 15) != 15;
-}
-
 /* Handles a visible column, with water down to the previous line. */
 TP_ALWAYS_INLINE void cover_column(tp_fast_rows *rows, const tp_line_sample *far,
                                    int32_t *limit, tp_fast_fill fill)
@@ -42,8 +36,8 @@ TP_ALWAYS_INLINE void cover_column(tp_fast_rows *rows, const tp_line_sample *far
         return;
     }
     if (rows->means) {          /* no mean row at either end */
-        y += is_mean_row(y);
-        end -= is_mean_row(end - 1);
+        y += tp_is_mean_row(y);
+        end -= tp_is_mean_row(end - 1);
         if (y >= end)
             return;
     }

@@ -19,6 +19,13 @@
 #define TP_RASTER_FAST_SCANLINES_H
 #include "raster/raster.h"
 
+/* True for the rows of water that quality.lines = half fills with means: the odd ones but
+ * each sixteenth. */
+TP_ALWAYS_INLINE bool tp_is_mean_row(int32_t y)
+{
+    return (y & 1) && (y & 15) != 15;
+}
+
 /* A line at a column. */
 typedef struct {
     int32_t  v;                 /* row, 16.16 px, or TP_LINE_NONE */
@@ -47,8 +54,8 @@ typedef struct {
     bool     solid;             /* true if the tile already has samples */
     bool     oblique;           /* true if depth changes along the lines */
     bool     holes;             /* true: pixels below the water of a column have none */
-    bool     means;             /* true: no samples of mean rows are read, the odd ones but
-                                 * each sixteenth; the tile has sixteen rows */
+    bool     means;             /* true: no samples of mean rows are read; the tile has
+                                 * sixteen rows */
     int32_t  bend;              /* of the parabola between the lines, Q.31 */
     int32_t  mean_bend;         /* its mean, 1/6 of it, Q.30 */
     int32_t  half_s, half_t;    /* between the lines, see tp_line_scale */

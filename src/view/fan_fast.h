@@ -160,4 +160,17 @@ static inline void tp_fast_add_detail(const tp_fast_waves *waves, tp_fast_point 
     to->slope_z = tp_clamp(to->slope_z + (more.slope_z >> 4), INT16_MIN, INT16_MAX);
 }
 
+/* Stores the vertex of a point; c: its position in the view. */
+TP_ALWAYS_INLINE void tp_fast_store_vertex(const tp_projection *projection,
+                                           const tp_view_vertex *c,
+                                           const tp_fast_point *at, tp_grid_vertex *to)
+{
+    to->slope_x = (int16_t)at->slope_x;
+    to->slope_z = (int16_t)at->slope_z;
+    if (tp_projection_can_project(projection, c))
+        tp_projection_project(projection, c, &to->u, &to->v, &to->zi);
+    else
+        to->u = TP_GRID_NEEDS_CLIP;
+}
+
 #endif

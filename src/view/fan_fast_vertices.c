@@ -86,12 +86,7 @@ static void evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32
         tp_grid_vertex *to = &vertex[i];
         tp_view_vertex c;
         tp_projection_view_vertex(projection, at.position, &c);
-        to->slope_x = (int16_t)at.slope_x;
-        to->slope_z = (int16_t)at.slope_z;
-        if (tp_projection_can_project(projection, &c))
-            tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
-        else
-            to->u = TP_GRID_NEEDS_CLIP;
+        tp_fast_store_vertex(projection, &c, &at, to);
     }
 }
 

@@ -220,12 +220,7 @@ TP_ALWAYS_INLINE void evaluate_columns(const packed_row *row, uint32_t first, ui
         tp_view_vertex c;
         tp_fast_point at;
         place_vertex(row, i, plain, &c, &at);
-        to->slope_x = (int16_t)at.slope_x;
-        to->slope_z = (int16_t)at.slope_z;
-        if (tp_projection_can_project(projection, &c))
-            tp_projection_project(projection, &c, &to->u, &to->v, &to->zi);
-        else
-            to->u = TP_GRID_NEEDS_CLIP;
+        tp_fast_store_vertex(projection, &c, &at, to);
     }
 }
 

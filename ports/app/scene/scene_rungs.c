@@ -50,6 +50,6 @@ void scene_file_set_rung(scene_file *file, const char *name)
     file->scene.quality.effect = n == EXACT ? TP_RUNG_EXACT : n == FAST ? TP_RUNG_FAST : 0;
     TP_EFFECT_LIST(X)
 #undef X
-    if (n == FAST)              /* the low mesh is for boats far away */
-        file->scene.quality.mesh = TP_MESH_MIDDLE;
+    if (n == FAST)              /* low swells carry textures; without them little is saved */
+        file->scene.quality.geometry = TP_RUNG_EXACT;
 }
