@@ -25,7 +25,8 @@ WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURD
              -mbulk-memory -ffreestanding -ffunction-sections -fdata-sections \
              -Iinclude -Isrc -Iports -Iports/web
 # Cheaper rungs are for boards: here they are small.
-WEB_SMALL := $(foreach o,$(WEB_FAST),$(if $(findstring fast,$(notdir $o))$(filter %/cell.o,$o),$o))
+WEB_SMALL := $(foreach o,$(WEB_FAST),$(if $(findstring fast,$(notdir $o))$(filter \
+                $(addprefix %/,cell.o fan_packed_vertices.o fan_table_vertices.o),$o),$o))
 WEB_OPT  := -Oz -Dalways_inline=
 $(filter-out $(WEB_SMALL),$(WEB_FAST)): WEB_OPT := -Os -msimd128
 $(WASM)/src/features/all.o: WEB_FLAGS += -DTP_NO_REPORTS
