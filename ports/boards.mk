@@ -10,7 +10,8 @@ DRAWN    := $(patsubst tests/golden/scenes/%.ini,%,$(wildcard tests/golden/scene
 
 # Scenes are baked once for each processor, and again when the code that writes them
 # changes. SCENE=harbour@32 limits textures to 32 texels a side; SCENE=harbour+cheap takes
-# the rungs of tests/budgets/cheapest.txt.
+# the rungs of tests/budgets/cheapest.txt, and storm+spray those of that line of effects.txt
+# beside it.
 BAKES    := $(wildcard ports/tools/bake/*.c ports/app/scene/assets*.c \
                 ports/app/scene/scene*.c ports/app/files/*_read.c src/mesh/*.c \
                 src/features/all_rows.c include/tidepool/*.h)
@@ -39,13 +40,19 @@ $1/board-%.c: tests/budgets/board-%.ini $3 $$(BAKED_FROM)
 $1/plain-%.c: tests/budgets/plain-%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2)
 endef
+EFFECTS  := $(shell sed -n 's/^\([a-z0-9-]*+[a-z0-9-]*\) .*/\1/p' tests/budgets/effects.txt)
+define baked_effect
+$1/$4.c: assets/scenes/$(firstword $(subst +, ,$4)).ini tests/budgets/effects.txt $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2 $$$$(sed -n 's/^$4 .*| //p' tests/budgets/effects.txt))
+endef
 define baked_at
 $1/%@$4.c: $5/%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2 --texels $4)
 endef
 baked = $(eval $(call baked_in,$1,$2,$3)) $(foreach n,16 32 64 128,$(foreach folder, \
     assets/scenes ports/cortex-m/scenes tests/budgets, \
-        $(eval $(call baked_at,$1,$2,$3,$n,$(folder)))))
+        $(eval $(call baked_at,$1,$2,$3,$n,$(folder))))) $(foreach effect,$(EFFECTS), \
+    $(eval $(call baked_effect,$1,$2,$3,$(effect))))
 $(call baked,build/baked)
 # A board's baked scenes include the module list for the link, which depends on all
 # drawing code.

@@ -145,7 +145,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/gates/host.sh \
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape \
 	        charts generators examples charts_stop) \
-	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count) \
+	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count \
+                effects) \
 	    tests/charts/same.sh
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \
@@ -161,7 +162,8 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/gates/%.sh,coverage sanitized) \
 	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh tests/accuracy/rungs.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi linuxfb) \
-	    $(patsubst %,tests/budgets/%.sh,prices models-count) \
+	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
+                effects) \
 	    $(patsubst %,tests/host/%.sh,threads saves generators); scripts=$$?; \
 	$(SOAK) TP_BUILD=build/san tests/run.sh build/log/soak-sanitized \
 	    $(call at_san,$(sort $(SAN_SOAK) $(MORE_ROUNDS))) && exit $$scripts

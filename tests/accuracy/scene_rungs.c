@@ -4,10 +4,10 @@
  * rung, PSNR in dB (mean of two ticks), largest difference of a channel. Each rung is drawn
  * in small tiles too: tiles that change a pixel are an error.
  *
- *     scene_rungs SCENE.ini [--rung NAME] [--set NAME=VALUE]...
+ *     scene_rungs SCENE.ini [--only NAME] [--rung NAME] [--set NAME=VALUE]...
  *
- * The options are those of the scene's cheapest rungs, the line `cheap`. Rungs that change
- * no pixel of the scene are left out.
+ * The options are those of the scene's cheapest rungs, the line `cheap`; with --only, of the
+ * only line, of that name. Rungs that change no pixel of the scene are left out.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -143,10 +143,12 @@ static void draw_scene(options *o, const char *scene, const char *rung)
 
 /* -- command line -------------------------------------------------------------------- */
 
-static bool read_cheap(options *o, int argc, char **argv)
+static bool read_cheap(options *o, int argc, char **argv, const char **only)
 {
     for (int i = 2; i + 1 < argc; i += 2) {
-        if (strcmp(argv[i], "--rung") == 0)
+        if (strcmp(argv[i], "--only") == 0)
+            *only = argv[i + 1];
+        else if (strcmp(argv[i], "--rung") == 0)
             o->rung = argv[i + 1];
         else if (strcmp(argv[i], "--set") == 0)
             o->settings[o->n_settings++] = argv[i + 1];
@@ -162,10 +164,11 @@ int main(int argc, char **argv)
     options cheap = { .command = "scene_rungs", .settings = settings, .quiet = true };
     loaded_scene at[TICKS];
     char scene[64];
+    const char *only = NULL;
 
-    if (argc > 32 || !read_cheap(&cheap, argc, argv)) {
-        fprintf(stderr,
-                "usage: scene_rungs SCENE.ini [--rung NAME] [--set NAME=VALUE]...\n");
+    if (argc > 32 || !read_cheap(&cheap, argc, argv, &only)) {
+        fprintf(stderr, "usage: scene_rungs SCENE.ini [--only NAME] [--rung NAME] "
+                        "[--set NAME=VALUE]...\n");
         return EXIT_USAGE;
     }
     const char *slash = strrchr(argv[1], '/');
@@ -178,11 +181,13 @@ int main(int argc, char **argv)
         open_at(&at[i], &plain, ticks[i]);
         draw(&at[i], WIDTH, 16, exact.pixel[i]);
     }
-    try_all_rungs(at, scene);
+    if (!only)
+        try_all_rungs(at, scene);
     for (uint32_t i = 0; i < TICKS; i++)
         loaded_scene_close(&at[i]);
     plain.rung = "fast";
-    draw_scene(&plain, scene, "fast");
-    draw_scene(&cheap, scene, "cheap");
+    if (!only)
+        draw_scene(&plain, scene, "fast");
+    draw_scene(&cheap, scene, only ? only : "cheap");
     return failed ? EXIT_CHECK : EXIT_DONE;
 }

@@ -7,8 +7,9 @@
 #   tests/budgets/scenes-count.sh [--write] [SCENE...]
 #
 # Without names every scene is counted, in turn exact or at its cheapest rungs; --write and
-# TP_SOAK=1 count both of each. For named scenes the functions are listed too. SCENE+cheap
-# is the scene at the rungs of tests/budgets/cheapest.txt. --write writes a new scenes.csv.
+# TP_SOAK=1 count both of each, and the effects of effects.txt. For named scenes the
+# functions are listed too. SCENE+cheap is the scene at the rungs of
+# tests/budgets/cheapest.txt. --write writes a new scenes.csv.
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
 
@@ -25,7 +26,8 @@ if [ $# = 0 ]; then
     if [ -n "$write$TP_SOAK" ]; then    # each scene exact and at its cheapest rungs
         whole=1
         set -- $(for scene; do echo "$scene" "$scene+cheap"; done) \
-            plain-64 plain-64+cheap plain-100 plain-100+cheap
+            plain-64 plain-64+cheap plain-100 plain-100+cheap \
+            $(sed -n 's/^\([a-z0-9-]*+[a-z0-9-]*\) .*/\1/p' tests/budgets/effects.txt)
     else                                # quicker: in turn exact or at its cheapest
         set -- $(for scene; do echo "$scene${cheap:-}"; case ${cheap:-} in
                 '') cheap=+cheap ;; *) cheap= ;; esac; done) plain-64+cheap plain-100
@@ -43,14 +45,17 @@ check "the programs for the board build" build BOARD=cortex-m SCENES="$*" elves
 
 options_of()    # SCENE: the options of its rungs
 {
-    case $1 in *+cheap) sed -n "s/^${1%+cheap} //p" tests/budgets/cheapest.txt ;; esac
+    case $1 in
+    *+cheap) sed -n "s/^${1%+cheap} //p" tests/budgets/cheapest.txt ;;
+    *+*)     sed -n "s/^$1 .*| //p" tests/budgets/effects.txt ;;
+    esac
 }
 
 file_of()       # SCENE
 {
     case $1 in
-    plain-*) echo "tests/budgets/${1%+cheap}.ini" ;;
-    *)       echo "assets/scenes/${1%+cheap}.ini" ;;
+    plain-*) echo "tests/budgets/${1%+*}.ini" ;;
+    *)       echo "assets/scenes/${1%+*}.ini" ;;
     esac
 }
 
