@@ -102,14 +102,15 @@ quick-tests: quick
 SAN     := TARGET=san OPT='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all' \
            V3_OPT='-O1 -march=x86-64-v3' V3_SAME_OPT=-fno-sanitize=all \
            TESTS_OPT=-O0 CHECKED=1
-SAN_SOAK := $(filter $(BUILD)/tests/accuracy/% $(BUILD)/tests/stability/% \
+SAN_SOAK := $(filter $(addprefix $(BUILD)/tests/,accuracy/% stability/% \
+               $(addprefix unit/test_,fixed% pool% quality% shade% view% waves%)) \
                $(addprefix %/test_, app_overlay compare component_search \
                features_drops_drawing features_statements features_tank \
                features_water_quick_even features_water_quick_layers \
-               features_water_quick_light fixed_decimal frame_fan frame_fan_detail \
+               features_water_quick_light frame_fan frame_fan_detail \
                frame_fan_kept frame_fast_rows frame_history frame_mirror frame_samples \
                frame_scanline_grid frame_screen_grid frame_small lcd_paper mesh_found \
-               pool_flux_gears quality_fixed_cost quality_plan raster_cell rows stopwatch \
+               raster_cell rows stopwatch \
                undo world_water_sample_pick),$(UNIT))
 SAN_UNIT := $(filter-out $(SAN_SOAK) %/test_threads,$(UNIT))
 sanitized: $(SAN_UNIT) $(GOLDEN) $(PROGRAM) $(PANEL_DEMO) $(REPLAY)
@@ -120,9 +121,10 @@ everything: quick $(PANEL_DEMO) $(filter-out $(SAN_UNIT),$(UNIT)) $(FRAMES) \
           $(addprefix $(BUILD)/tests/,bench/scene_s bench/views boards/oled_greys \
               boards/same_picture boards/vm_state host/apng_frames host/furniture \
               host/same_pixels host/saves host/screen_crc)
-# Tests of accuracy that take longest.
-SLOW    := $(filter $(addprefix %/accuracy/test_, \
-               engine engine_foam foam_rings glitter plan),$(UNIT))
+# Tests of accuracy that take longest; those of SOAKED run in the soak only.
+SLOW    := $(filter $(addprefix %/accuracy/test_,engine foam_rings plan),$(UNIT))
+SOAKED  := $(filter $(addprefix %/accuracy/test_,engine_foam foam_map glitter \
+               reference_caustics reference_depths),$(UNIT))
 # Builds first what several tests need from the board's compiler; the longest tests begin
 # first.
 more-tests: everything build/host/count.so build/host/tally.so
@@ -138,10 +140,10 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    tests/accuracy/rungs.sh \
-	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms kms_events console) \
+	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms console) \
 	    tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \
-	    $(filter-out $(SAN_UNIT) $(SLOW) $(QUICK),$(UNIT)) $(call at_san,$(GOLDEN)) \
+	    $(filter-out $(SAN_UNIT) $(SLOW) $(SOAKED) $(QUICK),$(UNIT)) $(call at_san,$(GOLDEN)) \
 	    tests/gates/host.sh \
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape \
 	        charts generators examples charts_stop) \
@@ -161,7 +163,7 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	@$(SOAK) $(RUN) build/log/soak \
 	    $(patsubst %,tests/gates/%.sh,coverage sanitized) \
 	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh tests/accuracy/rungs.sh \
-	    $(patsubst %,tests/boards/%.sh,rpi linuxfb) \
+	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
                 effects) \
 	    $(patsubst %,tests/host/%.sh,threads saves generators); scripts=$$?; \

@@ -73,7 +73,7 @@ TP_NEVER_INLINE void pack_even_columns(const packed_tile *t, uint16_t *to,
         WIDEN(to, half, run, 0);
 }
 
-static void shade_packed_run(const packed_tile *t, const tp_shaders *list, uint16_t *to,
+TP_ALWAYS_INLINE void shade_packed_run(const packed_tile *t, const tp_shaders *list, uint16_t *to,
                              tp_run *run)
 {
     tp_frame_shade_run(t->frame, list, !t->found, run);

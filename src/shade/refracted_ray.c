@@ -275,8 +275,8 @@ static inline uint32_t shade_floor_shifted(const tp_shade *shade, int32_t floor_
     const tp_wall_material *coat = &shade->underwater->floor;
     const spot s = describe_hit_point(shade, floor_nl, h, ray->at, ray->way, ray->far);
     const tp_mip_level level = tp_wall_material_level(coat, s.far, true);
-    const uint32_t dx = (uint32_t)((int64_t)shift->x * h.way >> 16) * coat->per_metre;
-    const uint32_t dz = (uint32_t)((int64_t)shift->z * h.way >> 16) * coat->per_metre;
+    const uint32_t dx = (uint32_t)((int64_t)shift->x * h.way >> 14) * coat->per_metre;
+    const uint32_t dz = (uint32_t)((int64_t)shift->z * h.way >> 14) * coat->per_metre;
     const uint32_t texel = sample_shifted(&level, (uint32_t)s.x * coat->per_metre,
                                           (uint32_t)s.z * coat->per_metre, dx, dz);
 

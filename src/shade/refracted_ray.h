@@ -135,10 +135,10 @@ void tp_underwater_shade_row_channel(const tp_shade *shade, const tp_ground unde
                                      const tp_refracted_ray ray[], int32_t count,
                                      const uint32_t body[], int shift, uint32_t seen[]);
 
-/* A shift of the place where red meets the floor, m per m of path in the water, Q16; that
+/* A shift of the place where red meets the floor, m per m of path in the water, Q14; that
  * of blue is its opposite. */
 typedef struct {
-    int32_t x, z;
+    int16_t x, z;
 } tp_place_shift;
 
 /* The same for colours of a floor that red and blue see at shifted places; walls, light and

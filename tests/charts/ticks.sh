@@ -3,6 +3,7 @@
 # Costs of a tick as rows of the sweep: the parts of each scene's tick in a fixed order, and
 # the rest.
 awk -F, '
+    $1 ~ /[+]/ && $1 !~ /[+]cheap$/ { next }     # a rung of a scene: the same world
     $2 == "tick" { scene[++scenes] = $1; all[$1] = $3 }
     $2 ~ /^tick\./ { part[$1, substr($2, 6)] = $3 }
     END {

@@ -370,7 +370,7 @@ fresh "something else" "is not a saved world"
 { head -c 12 killed; printf '\252\125'; tail -c +15 killed; } >world
 fresh "of another build" "was saved by another build"
 { head -c 7 killed; printf '\002'; tail -c +9 killed; } >world
-fresh "of an older version" "holds a world of version 2, this program has version 5"
+fresh "of an older version" "holds a world of version 2, this program has version 6"
 cp killed world
 whole --frames 0:1 --keep world --set wave0.length=9
 judge "of a changed scene" 0 "^world: belongs to another scene: a fresh start$"

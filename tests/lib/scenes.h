@@ -221,6 +221,15 @@ static inline tp_assets kit_assets(test_kit *kit, tp_scene *s, uint64_t *state)
     return a;
 }
 
+/* Limits a pool's Courant number and damping to what its interval allows. */
+static inline void kit_hold_steps(tp_scene_pool *pool)
+{
+    if (pool->courant > TP_FX(0.48) >> pool->interval)
+        pool->courant = TP_FX(0.48) >> pool->interval;
+    if (pool->damping < 4 + pool->interval)
+        pool->damping = 4 + pool->interval;
+}
+
 /* Limits grids and counts to sizes that a test can wait for. */
 static inline void kit_hold(tp_scene *s, int32_t vertices, int32_t cells)
 {
@@ -233,10 +242,8 @@ static inline void kit_hold(tp_scene *s, int32_t vertices, int32_t cells)
             *side[i] = cells;
     if (tp_fan_budget(s) > (uint32_t)vertices)
         s->grid.vertices = vertices;
-    if (s->pool.courant > TP_FX(0.48))
-        s->pool.courant = TP_FX(0.48);
-    if (s->field.courant > TP_FX(0.48))
-        s->field.courant = TP_FX(0.48);
+    kit_hold_steps(&s->pool);
+    kit_hold_steps(&s->field);
 }
 
 /* Gathers pool, boat, drops and camera around the origin: the camera is above the water,

@@ -126,25 +126,32 @@ static void add_dash(tp_streaks *d, const shape *s, uint32_t key, int32_t y)
     d->first[y] = (uint16_t)++to->count;
 }
 
-void tp_stage_spray_dashes(const tp_shade *shade, tp_run *run)
+/* Adds the dashes of a speck, with the key and colour number of all of them. */
+TP_NEVER_INLINE void add_dashes(tp_streaks *d, const tp_speck_place *speck, uint32_t key)
 {
-    const tp_dash_task *task = run->mine;
-    tp_streaks *d = task->streaks;
-    const shape s = make_shape(task->speck);
+    const shape s = make_shape(speck);
     const int32_t high = s.radius + tp_abs(s.dv), height = d->dashes->height;
     const int32_t top = (s.v - high + 7) >> 4, end = ((s.v + high - 8) >> 4) + 1;
     const int32_t stop = end < height ? end : height;
 
     if (s.opacity < FAINT)
         return;
-    const uint32_t number = colour_number(d->dashes, task->speck->key, s.u >> 4);
-    uint32_t *colour = &d->dashes->colour[number];
-    const uint32_t key = (task->speck->key & ~(uint32_t)0xfe) | number << 1;
-    if (*colour == 0)
-        *colour = make_colour(shade, d, number, run) | 0xff000000u;
     for (int32_t y = top > 0 ? top : 0; y < stop; y++)
         add_dash(d, &s, key, y);
     d->count++;
+}
+
+void tp_stage_spray_dashes(const tp_shade *shade, tp_run *run)
+{
+    const tp_dash_task *task = run->mine;
+    tp_streaks *d = task->streaks;
+    const tp_speck_place *speck = task->speck;
+    const uint32_t number = colour_number(d->dashes, speck->key, speck->u >> 4);
+    uint32_t *colour = &d->dashes->colour[number];
+
+    if (*colour == 0)
+        *colour = make_colour(shade, d, number, run) | 0xff000000u;
+    add_dashes(d, speck, (speck->key & ~(uint32_t)0xfe) | number << 1);
 }
 
 /* -- blending ------------------------------------------------------------------------ */

@@ -212,7 +212,8 @@ static void set_shifts(const tp_underwater *in, const tp_run *run, int32_t i, in
     for (; i < stop; i++, surface++, ray++, to++) {
         const int32_t x = -run->vx[i] + ((surface->x * m + ray->way.x * fall) >> 14);
         const int32_t z = -run->vz[i] + ((surface->z * m + ray->way.z * fall) >> 14);
-        *to = (tp_place_shift){ x * spread >> 12, z * spread >> 12 };
+        *to = (tp_place_shift){ (int16_t)tp_ssat(x * spread, 14, 15),
+                                (int16_t)tp_ssat(z * spread, 14, 15) };
     }
 }
 
