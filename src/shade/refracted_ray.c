@@ -301,13 +301,12 @@ void tp_underwater_shade_row_shifted(const tp_shade *shade, const tp_floor_plane
                                      const uint32_t body[], uint32_t seen[])
 {
     TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
-    const tp_underwater *in = shade->underwater;
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++, ray++) {
         tp_ground g;
-        const hit h = row_hit(in, ends, k * each >> 8, ray, &g);
-        seen[k] = h.what == FLOOR && in->floor.texture
+        const hit h = row_hit(shade->underwater, ends, k * each >> 8, ray, &g);
+        seen[k] = h.what == FLOOR && shade->underwater->floor.texture
             ? shade_floor_shifted(shade, g.nl, h, ray, &shift[k], body[k])
             : shade_hit(shade, g.nl, h, ray->at, ray->way, ray->far, body[k]);
     }
