@@ -104,14 +104,14 @@ static inline bool tp_line_is_reached(tp_line_reach reach, tp_column_range colum
 
 /* scanline_water.c: walks a tile's lines from near to far.
  * tp_line_columns: the tile's columns where row k does not lie below the tile.
- * tp_line_next_columns: the columns where line k matters for the tile; *columns are those of
- * row k, then those of row k - 1; *columns are empty before the first line.
+ * tp_line_next_columns: the columns where line k matters for the tile; *columns are those
+ * of row k, then those of row k - 1; *columns are empty before the first line.
  * tp_line_load: makes the window hold the part of line k in these columns, or all of it.
  * tp_line_is_land: true if segment m of line k has land on both sides.
  * tp_line_draw_triangles: draws row k of cells. */
 tp_column_range tp_line_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k);
-tp_column_range tp_line_next_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k,
-                           tp_column_range *columns);
+tp_column_range tp_line_next_columns(const tp_frame *frame, const tp_gbuffer *tile,
+                                     uint32_t k, tp_column_range *columns);
 void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
                   tp_column_range columns, bool whole);
 bool tp_line_is_land(const tp_frame *frame, uint32_t k, uint32_t m);
