@@ -56,32 +56,32 @@ static uint32_t layer_colour(const tp_scene *scene, const tp_assets *assets, int
 }
 
 /* Returns the parameters to bake texture i with: a layer, OFFSETS or SLOPES. */
-static tp_bake_params bake_parameters(const tp_scene *scene, const tp_assets *assets, int i)
+static tp_quick_wish bake_parameters(const tp_scene *scene, const tp_assets *assets, int i)
 {
     if (i == OFFSETS)
-        return (tp_bake_params){ .amount = scene->distortion.strength };
+        return (tp_quick_wish){ .amount = scene->distortion.strength };
     if (i == SLOPES)
-        return (tp_bake_params){ .amount = scene->ripple.bump };
-    return (tp_bake_params){
+        return (tp_quick_wish){ .amount = scene->ripple.bump };
+    return (tp_quick_wish){
         .amount = scene->layer[i].saturation, .clamp = scene->layer[i].clamp,
         .colour = layer_colour(scene, assets, i),
     };
 }
 
-static bool is_same(const tp_bake_params *a, const tp_bake_params *b)
+static bool is_same(const tp_quick_wish *a, const tp_quick_wish *b)
 {
     return a->amount == b->amount && a->clamp == b->clamp && a->colour == b->colour;
 }
 
 static void bake_texture(tp_texture *to, int i, const tp_texture *source,
-                         const tp_bake_params *params, void *memory)
+                         const tp_quick_wish *wish, void *memory)
 {
     if (i == OFFSETS)
-        tp_quick_offsets(to, source, params->amount, memory);
+        tp_quick_offsets(to, source, wish->amount, memory);
     else if (i == SLOPES)
-        tp_quick_slopes(to, source, params->amount, memory);
+        tp_quick_slopes(to, source, wish->amount, memory);
     else
-        tp_quick_graded(to, source, params->amount, params->clamp, params->colour, memory);
+        tp_quick_graded(to, source, wish->amount, wish->clamp, wish->colour, memory);
 }
 
 size_t tp_baked_layer_bytes(const tp_assets *assets, int i)
@@ -95,24 +95,24 @@ void tp_bake_layer(tp_texture *to, const tp_scene *scene, const tp_assets *asset
                    void *memory)
 {
     TP_ASSERT(i >= 0 && i < TP_BAKED_LAYERS);
-    const tp_bake_params params = bake_parameters(scene, assets, i);
-    bake_texture(to, i, source_texture(assets, i), &params, memory);
+    const tp_quick_wish wish = bake_parameters(scene, assets, i);
+    bake_texture(to, i, source_texture(assets, i), &wish, memory);
 }
 
 /* Returns the baked texture i, baked now if needed; NULL: none. */
 static const tp_texture *provide_baked_texture(const tp_frame *frame,
                                                tp_fast_textures *textures, int i)
 {
-    const tp_bake_params params = bake_parameters(frame->scene, &frame->assets, i);
+    const tp_quick_wish wish = bake_parameters(frame->scene, &frame->assets, i);
 
     if (baked_texture(&frame->assets, i))
         return baked_texture(&frame->assets, i);
     if (!textures->memory[i])
         return NULL;
-    if (textures->picture[i].levels == 0 || !is_same(&textures->made[i], &params))
-        bake_texture(&textures->picture[i], i, source_texture(&frame->assets, i), &params,
+    if (textures->picture[i].levels == 0 || !is_same(&textures->made[i], &wish))
+        bake_texture(&textures->picture[i], i, source_texture(&frame->assets, i), &wish,
                      textures->memory[i]);
-    textures->made[i] = params;
+    textures->made[i] = wish;
     return &textures->picture[i];
 }
 

@@ -13,12 +13,12 @@
 typedef struct {
     tp_fx    amount, clamp;
     uint32_t colour;
-} tp_bake_params;
+} tp_quick_wish;
 
 typedef struct {
     void         *memory[TP_BAKED_LAYERS];  /* NULL: not baked here */
     tp_texture    picture[TP_BAKED_LAYERS]; /* levels 0: not baked yet */
-    tp_bake_params made[TP_BAKED_LAYERS];
+    tp_quick_wish made[TP_BAKED_LAYERS];
 } tp_fast_textures;
 
 /* Takes memory for the baked textures missing in the assets. */
