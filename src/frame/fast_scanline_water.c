@@ -3,7 +3,7 @@
  * grid.  Rows clipped by the frustum are drawn as triangles, as the exact rung does; there
  * are no middle lines.  The stages of water read the depth of level water, one number a row
  * of pixels if the picture does not roll. */
-#include "frame/frame.h"
+#include "frame/scanline_grid.h"
 
 typedef struct {
     const tp_frame *frame;

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A frame from its config to its first tile: check, layout, init, begin.  The frame is one
- * block of memory, laid out at init as the scene demands.  Nothing is allocated later.
+ * A frame from its config to its init: check and layout.  The frame is one block of memory,
+ * laid out at init as the scene demands.  Nothing is allocated later.
  */
 #include "base/base.h"
 #include "frame/frame.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 #include "quality/prices.h"
-#include "view/wave_models.h"
 #include "world/module.h"
 #include "world/pools.h"
 
@@ -97,7 +96,7 @@ static tp_frame *allocate_frame(const tp_program *program, tp_frame_buffers *buf
     return frame;
 }
 
-/* -- check, init, begin -------------------------------------------------------------- */
+/* -- check and init ------------------------------------------------------------------ */
 
 #define TILE_ROWS 16 /* default of a config without a tile height */
 
@@ -307,73 +306,6 @@ tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene 
     tp_frame_init_modules(frame);
     *out = frame;
     return TP_OK;
-}
-
-static void set_water_surface(tp_frame *frame)
-{
-    TP_ASSERT(frame->world->lag >= 0 && frame->world->lag <= TP_FX_ONE);
-    const tp_world *world = frame->world;
-    tp_surface *surface = &frame->surface;
-
-    *surface = tp_world_surface(frame->program, world);
-    surface->phases = frame->drawn.phases;
-    surface->lag = world->lag;
-    surface->ring = NULL;
-    surface->rings = 0;
-    if (tp_frame_has_module(frame, TP_MODULE_SLOPES))
-        surface->pool = surface->field = NULL;
-    tp_frame_add_displacements(frame, surface);
-}
-
-tp_surface tp_frame_surface_with_all_pools(const tp_frame *frame)
-{
-    tp_surface surface = frame->surface;
-
-    if (surface.by->pools) {
-        surface.pool = tp_world_pool(frame->world);
-        surface.field = tp_world_field(frame->world);
-    }
-    return surface;
-}
-
-/* Draws the pictures sampled by the water, then places the picture's own solids.  Both
- * share memory; the numbers left at the end are the picture's. */
-static void draw_maps_and_place_solids(tp_frame *frame)
-{
-    const tp_draw_stats stats = frame->stats;
-
-    tp_frame_draw_maps(frame);
-    frame->stats = stats;
-    frame->view =
-        (tp_view){ .projection = &frame->projection, .picture = true, .walls = true };
-    tp_view_begin(frame, &frame->view);
-    frame->solids = tp_view_project_solids(frame, &frame->view);
-}
-
-void tp_frame_begin(tp_frame *frame, const tp_world *world)
-{
-    TP_ASSERT(frame != NULL && frame->program != NULL && world != NULL);
-    const tp_scene *scene = frame->scene;
-    const tp_draws *draw = &frame->program->draw;
-
-    frame->stats = (tp_draw_stats){ .dropped = frame->buffers.lacks };
-    frame->lacking = 0;
-    frame->world = world;
-    frame->drawn = tp_world_interpolate(world);
-    tp_frame_enable_modules(frame);
-    set_water_surface(frame);
-    tp_projection_init_turned(
-        &frame->projection, frame->drawn.camera.eye, frame->drawn.camera.turn,
-        scene->camera.fov, scene->camera.near, frame->config.width, frame->config.height);
-    if (world->aboard == TP_ABOARD_DECK)
-        frame->projection.lean = 0; /* golden frames of the deck camera have no lean */
-    tp_frame_choose_rungs(frame);
-    if (draw->rungs)
-        draw->rungs->cull_waves(frame);
-    tp_frame_set_up_shading(frame);
-    tp_frame_choose_visibility(frame);
-    tp_frame_place_surface(frame);
-    draw_maps_and_place_solids(frame);
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

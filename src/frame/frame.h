@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Internals of a frame: all data read while drawing a tile, and the lines of its scanline
- * grid.
+ * Internals of a frame: all data read while drawing a tile, and the interfaces of its water
+ * renderers.  The lines of the scanline grid are in scanline_grid.h.
  */
 #ifndef TP_FRAME_FRAME_H
 #define TP_FRAME_FRAME_H
@@ -249,8 +249,8 @@ tp_layer tp_frame_layer(const tp_frame *frame, const tp_texture *texture,
 uint32_t tp_frame_repeats_per_metre(tp_fx size); /* repeats a metre, Q0.32 over Q16.16 */
 int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_ground);
 
-/* frame.c.  Returns the surface that light falls through: the drawn surface, and also the
- * pools that only bend the normals of the drawn surface. */
+/* frame_begin.c.  Returns the surface that light falls through: the drawn surface, and also
+ * the pools that only bend the normals of the drawn surface. */
 tp_surface tp_frame_surface_with_all_pools(const tp_frame *frame);
 
 /* -- water renderers and the quality plan -------------------------------------------- */
@@ -318,6 +318,16 @@ static inline bool tp_frame_has_half_lines(const tp_frame *frame)
     return frame->half_lines && frame->scene->quality.lines == TP_RUNG_FAST;
 }
 
+/* Returns the rows of a tile's samples. */
+static inline tp_line_bounds tp_frame_line_bounds(const tp_frame *frame,
+                                                  const tp_tile *tile)
+{
+    const int32_t y0 = (int32_t)tile->y0, y1 = (int32_t)tile->y1;
+    return tp_frame_has_half_lines(frame)
+               ? frame->half_lines->bounds(y0, y1, (int32_t)frame->config.height)
+               : (tp_line_bounds){ y0, y1 };
+}
+
 /* Means of rgb565 pixels, for quality.blending = rgb565; packed_rows.c. */
 struct tp_draw_packed_rows {
     void (*draw)(const tp_frame *frame, const tp_gbuffer *samples,
@@ -340,129 +350,15 @@ struct tp_draw_rungs {
     void (*cull_waves)(tp_frame *frame);
 };
 
-/* -- the scanline grid --------------------------------------------------------------- */
+/* -- keys of level water: level_keys.c ----------------------------------------------- */
 
-/* The grid's lines across the view, ordered from near to far, for raster/scanlines.c.
- *
- * Lines run along the grid axis across the camera's heading.  Row k of cells lies between
- * lines k and k + 1 in the grid's own order; points are numbered in the same order. */
-
-/* Kinds of a row of cells, see tp_frame_line.is. */
-enum { TP_LINE_CUT = 1, TP_LINE_SIDED = 2, TP_LINE_WIDE = 4 };
-
-/* A row of cells between two neighbouring lines of water, from side to side; see
- * scanline_water.c. */
-typedef struct {
-    tp_grid_span cells;         /* possibly visible cells */
-    tp_grid_box  box;           /* picture box of these cells */
-    uint16_t     is;            /* TP_LINE_CUT: drawn as triangles.  TP_LINE_SIDED: an end
-                                 * of its lines is inside of the picture.  TP_LINE_WIDE:
-                                 * wide cells */
-} tp_frame_line;
-
-/* Pixel columns covered by a block of a line's segments, x1 included. */
-typedef struct {
-    int16_t x0, x1;
-} tp_line_reach;
-
-/* Lines of the grid from far to near, their points from left to right. */
-typedef struct tp_frame_lines {
-    uint32_t lines, points, blocks;     /* blocks per row of cells */
-    const tp_grid_box *box;     /* lines x blocks boxes, in the grid's order */
-    tp_frame_line  *line;       /* one for each row of cells, in the grid's order */
-    tp_line_reach  *reach;      /* of each block of each line */
-} tp_frame_lines;
-
-/* Numbers of each line, and of level water, for fast rows. */
-typedef struct tp_fast_lines {
-    tp_line_scale  *scale;      /* one for each line, in the grid's order */
-    tp_level_linear zi;         /* near / depth of level water */
-} tp_fast_lines;
-
-/* level_keys.c: writes the keys of water at pixels (x, y) to (x + count - 1, y) by the
- * depth of level water. */
+/* Writes the keys of water at pixels (x, y) to (x + count - 1, y) by the depth of level
+ * water. */
 void tp_frame_write_level_keys(const tp_frame *frame, int32_t x, int32_t y, int32_t count,
                                uint32_t *key);
 
-/* level_keys.c: sets the keys of a tile drawn alone. */
+/* Sets the keys of a tile drawn alone. */
 void tp_frame_write_alone_keys(const tp_frame *frame, const tp_fast_rows *rows,
                                const tp_water_rows *found);
-
-/* Point m of line k, which the window must hold. */
-static inline const tp_grid_vertex *tp_line_vertex(const tp_grid_window *window,
-                                                   uint32_t k, uint32_t m)
-{
-    return &window->line[k & 1][m];
-}
-
-/* True if the cell at point m of row k is dry. */
-static inline bool tp_line_cell_is_dry(const tp_frame *frame, uint32_t row,
-                                       uint32_t point)
-{
-    return tp_grid_cell_is_dry(frame->buffers.grid, point, row);
-}
-
-/* Returns the cells [first, end) of block b, without cells out of view. */
-static inline tp_grid_span tp_line_block_cells(const tp_frame_line *line, uint32_t b)
-{
-    uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
-
-    first = first > line->cells.first ? first : line->cells.first;
-    end = end < line->cells.end ? end : line->cells.end;
-    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
-}
-
-/* Returns the segments of block b of the line. */
-static inline tp_grid_span tp_line_block_segments(tp_grid_span points, uint32_t b)
-{
-    uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
-
-    first = first > points.first ? first : points.first;
-    end = end < points.end - 1u ? end : points.end - 1u;
-    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
-}
-
-/* tp_line_points: range of the points of line k that are corners of visible cells.
- * tp_line_point: point m of line k after projection. */
-tp_grid_span tp_line_points(const tp_frame *frame, uint32_t k);
-tp_row_point tp_line_point(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
-                           uint32_t m);
-
-/* Returns the first and the last point of tp_line_points(k) in end[0] and end[1],
- * projected, from left to right on the screen.  u of a point that needs clipping is
- * TP_GRID_NEEDS_CLIP. */
-void tp_line_ends(const tp_frame *frame, const tp_grid_window *window, uint32_t k,
-                  tp_row_point end[2]);
-
-/* A range of columns of pixels, x1 not included; empty: x0 >= x1. */
-typedef struct {
-    int32_t x0, x1;
-} tp_column_range;
-
-static inline bool tp_line_is_reached(tp_line_reach reach, tp_column_range columns)
-{
-    return reach.x0 < columns.x1 && reach.x1 >= columns.x0;
-}
-
-/* scanline_water.c: walks a tile's lines from near to far.
- * tp_line_columns: the tile's columns where row k does not lie below the tile.
- * tp_line_next_columns: the columns where line k matters for the tile; *columns are those of
- * row k, then those of row k - 1; *columns are empty before the first line.
- * tp_line_load: makes the window hold the part of line k in these columns, or all of it.
- * tp_line_is_land: true if segment m of line k has land on both sides.
- * tp_line_draw_triangles: draws row k of cells. */
-tp_column_range tp_line_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k);
-tp_column_range tp_line_next_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k,
-                           tp_column_range *columns);
-void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
-                  tp_column_range columns, bool whole);
-bool tp_line_is_land(const tp_frame *frame, uint32_t k, uint32_t m);
-void tp_line_draw_triangles(const tp_frame *frame, const tp_gbuffer *tile,
-                            tp_grid_window *window, uint32_t k);
-
-/* Lay out the lines' memory if rows can draw, and place the lines of a frame. */
-void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
-                     const tp_scene *scene, const tp_config *config);
-void tp_lines_place(tp_frame *frame);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The scanline grid, see frame.h: the conditions for its use, and its placement.
+ * The scanline grid, see scanline_grid.h: the conditions for its use, and its placement.
  */
-#include "frame/frame.h"
+#include "frame/scanline_grid.h"
 #include "view/fan.h"
 #include "waves/coastal_tables.h"
 #include "world/pools.h"

@@ -3,7 +3,7 @@
  * below the tile, in the columns of the cells' boxes, until the tile is covered.  Rows
  * clipped by the frustum within the picture's columns, few and at its lower edge, are
  * drawn as triangles. */
-#include "frame/frame.h"
+#include "frame/scanline_grid.h"
 
 typedef struct {
     const tp_frame *frame;

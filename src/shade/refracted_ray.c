@@ -228,6 +228,16 @@ void tp_underwater_interpolate_floor(const tp_shade *shade, const tp_floor_plane
         under[k] = ground_between_ends(shade->underwater, ends, k * each >> 8, ray[k].at);
 }
 
+/* Finds what a ray of a row hits, and the ground under it; sixteenths: of the row, before
+ * the ray. */
+TP_ALWAYS_INLINE hit row_hit(const tp_underwater *in, const tp_floor_plane ends[2],
+                             int32_t sixteenths, const tp_refracted_ray *ray,
+                             tp_ground *ground)
+{
+    *ground = ground_between_ends(in, ends, sixteenths, ray->at);
+    return first_hit(in, ground, ray->at, ray->way);
+}
+
 void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2],
                              const tp_refracted_ray ray[], int32_t count,
                              const uint32_t body[], uint32_t seen[])
@@ -237,8 +247,8 @@ void tp_underwater_shade_row(const tp_shade *shade, const tp_floor_plane ends[2]
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++, ray++) {
-        tp_ground g = ground_between_ends(in, ends, k * each >> 8, ray->at);
-        hit h = first_hit(in, &g, ray->at, ray->way);
+        tp_ground g;
+        const hit h = row_hit(in, ends, k * each >> 8, ray, &g);
         seen[k] = shade_hit(shade, g.nl, h, ray->at, ray->way, ray->far, body[k]);
     }
 }
@@ -291,13 +301,12 @@ void tp_underwater_shade_row_shifted(const tp_shade *shade, const tp_floor_plane
                                      const uint32_t body[], uint32_t seen[])
 {
     TP_ASSERT(count > 0 && count <= TP_UNDERWATER_ROW);
-    const tp_underwater *in = shade->underwater;
     const int32_t each = over[count - 1];
 
     for (int32_t k = 0; k < count; k++, ray++) {
-        tp_ground g = ground_between_ends(in, ends, k * each >> 8, ray->at);
-        hit h = first_hit(in, &g, ray->at, ray->way);
-        seen[k] = h.what == FLOOR && in->floor.texture
+        tp_ground g;
+        const hit h = row_hit(shade->underwater, ends, k * each >> 8, ray, &g);
+        seen[k] = h.what == FLOOR && shade->underwater->floor.texture
             ? shade_floor_shifted(shade, g.nl, h, ray, &shift[k], body[k])
             : shade_hit(shade, g.nl, h, ray->at, ray->way, ray->far, body[k]);
     }

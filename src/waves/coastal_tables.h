@@ -110,7 +110,7 @@ static inline tp_offset tp_orbit_offset(const tp_ellipse *o, tp_turn phi)
 /* The least H / h where the gate may begin to open, with full noise: 0.6 / 1.5. */
 #define TP_COASTAL_RATIO_LEAST TP_FX(0.3999)
 
-/* -- noise, breaking depth: coastal_water.c ------------------------------------------ */
+/* -- noise: noise.c; breaking depth: coastal_water.c --------------------------------- */
 
 /* Value noise in -1..1, 16.16: random heights at integer u and v, smooth interpolation.  u
  * and v are Q16; u repeats after 2^16 cells, v after 8 cells. */

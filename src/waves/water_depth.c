@@ -2,8 +2,8 @@
 /* A single wave over a depth and under wind, formula by formula: wave numbers [B1]-[B6],
  * speeds and heights [B3] [B7], breaking [B14] [B15] [B20], wind [B10] of the models. */
 #include "base/base.h"
-#include "waves/coastal_water.h"
 #include "waves/softfloat.h"
+#include "waves/water_depth.h"
 
 /* -- wave numbers -------------------------------------------------------------------- */
 

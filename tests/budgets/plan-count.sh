@@ -13,16 +13,26 @@ rows=
 case ${1:-} in --rows) rows=1 ;; esac
 program=${TP_PROGRAM:-build/host/tidepool}
 
+# Prints the plan's row of costs and the counted cost of each scene:
 # scene predicted counted error_px error_colour
-both()
+compare()       # ROW FIGURE SCENE...: a row without stage of `plan`, a figure of scenes.csv
+{
+    row=$1 figure=$2
+    shift 2
+    for name; do
+        counted=$(awk -F, -v s="$name" -v figure="$figure" \
+            '$1 == s && $2 == figure { print $3 }' tests/budgets/scenes.csv)
+        "$program" plan "$name" --size 320x240 --csv |
+            awk -F, -v s="$name" -v row="$row" -v counted="$counted" \
+                '$1 == row && $2 == "" { print s, $4, counted, $5, $6 }'
+    done
+}
+
+both()          # frames of all scenes
 {
     for scene in assets/scenes/*.ini; do
-        name=${scene##*/} name=${name%.ini}
-        counted=$(awk -F, -v s="$name" '$1 == s && $2 == "instructions" { print $3 }' \
-            tests/budgets/scenes.csv)
-        "$program" plan "$scene" --size 320x240 --csv |
-            awk -F, -v s="$name" -v counted="$counted" \
-                '$1 == "total" { print s, $4, counted, $5, $6 }'
+        scene=${scene##*/}
+        compare total instructions "${scene%.ini}"
     done
 }
 
@@ -33,19 +43,6 @@ if [ -n "$rows" ]; then
                   print "plan," $1 ",error_colour," $5 }'
     exit
 fi
-
-# scene predicted counted, of ticks
-ticks()
-{
-    for name in harbour pond tank deep-sea night-sea three-swells from-above
-    do
-        counted=$(awk -F, -v s="$name" '$1 == s && $2 == "tick" { print $3 }' \
-            tests/budgets/scenes.csv)
-        "$program" plan "$name" --size 320x240 --csv |
-            awk -F, -v s="$name" -v counted="$counted" \
-                '$1 == "tick" && $2 == "" { print s, $4, counted }'
-    done
-}
 
 near()          # FILE PERCENT SCENES
 {
@@ -61,7 +58,8 @@ both >"$scratch/both"
 check "every scene costs what the plan says, within 10 %" near "$scratch/both" 10 10
 awk '{ $2 *= 1.25; print }' "$scratch/both" >"$scratch/dear"
 refuse "prices that are a quarter dearer" near "$scratch/dear" 10 10
-ticks >"$scratch/ticks"
+compare tick tick harbour pond tank deep-sea night-sea three-swells from-above \
+    >"$scratch/ticks"
 check "a tick costs what the plan says, within 15 %" near "$scratch/ticks" 15 7
 awk '{ $2 *= 1.35; print }' "$scratch/ticks" >"$scratch/dear"
 refuse "ticks that are a third dearer" near "$scratch/dear" 15 7

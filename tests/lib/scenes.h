@@ -141,6 +141,29 @@ static inline void boat_make(test_boat *b, uint64_t *state)
                          .n_materials = 2 };
 }
 
+/* The plain scene with a boat of 4 x 2 m ahead, from any height; by `pitch` the picture has
+ * water or none. */
+static inline tp_scene scene_of_boat_ahead(tp_fx pitch, uint64_t *state)
+{
+    tp_scene s = scene_plain();
+
+    s.camera.y = chance_fx(state, 1, 8);
+    s.camera.heading = chance_fx(state, -20, 20);
+    s.camera.pitch = pitch;
+    s.boat.length = 4 * TP_FX_ONE;
+    s.boat.beam = 2 * TP_FX_ONE;
+    s.boat.x = s.camera.x + chance_fx(state, -4, 4);
+    s.boat.z = s.camera.z - 9 * TP_FX_ONE;
+    return s;
+}
+
+/* The boat, and its textures as a layer and as ripples of the water. */
+static inline tp_assets boat_assets(const test_boat *b)
+{
+    return (tp_assets){ .boat = &b->mesh, .layer[0] = &b->texture[0],
+                        .ripple = &b->texture[1] };
+}
+
 /* -- every asset --------------------------------------------------------------------- */
 
 /* Every asset that a scene can name, small and awkward: textures with odd sides, six sky

@@ -14,38 +14,16 @@ enum { WIDTH = 96, HEIGHT = 70, ROUNDS = 10 };
 
 static uint64_t  chance;
 static test_boat boat;
+static tp_assets assets;
 static uint32_t  half[HEIGHT][WIDTH], full[HEIGHT][WIDTH], part[HEIGHT][WIDTH];
 static uint8_t   kind[HEIGHT][WIDTH];
-
-/* The plain scene with a boat, from any height; by `pitch` the picture has water or none. */
-static tp_scene any_scene(tp_fx pitch)
-{
-    tp_scene s = scene_plain();
-
-    s.camera.y = chance_fx(&chance, 1, 8);
-    s.camera.heading = chance_fx(&chance, -20, 20);
-    s.camera.pitch = pitch;
-    s.boat.length = 4 * TP_FX_ONE;
-    s.boat.beam = 2 * TP_FX_ONE;
-    s.boat.x = s.camera.x + chance_fx(&chance, -4, 4);
-    s.boat.z = s.camera.z - 9 * TP_FX_ONE;
-    return s;
-}
-
-static const tp_assets *assets(void)
-{
-    static tp_assets all;
-    all = (tp_assets){ .boat = &boat.mesh, .layer[0] = &boat.texture[0],
-                       .ripple = &boat.texture[1] };
-    return &all;
-}
 
 static void draw(const tp_scene *scene, const tp_world *world, uint32_t tile_width,
                  uint32_t tile_height, uint32_t to[HEIGHT][WIDTH])
 {
     const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_width = tile_width,
                                .tile_height = tile_height };
-    test_frame f = frame_of(scene, assets(), &config);
+    test_frame f = frame_of(scene, &assets, &config);
     tp_tile tile;
 
     frame_draw_picture(&f, world, to[0]);
@@ -59,9 +37,9 @@ static void draw(const tp_scene *scene, const tp_world *world, uint32_t tile_wid
  * blended over the means. */
 static tp_world *draw_both(tp_scene *scene, tp_fx pitch, bool outlines)
 {
-    *scene = any_scene(pitch);
+    *scene = scene_of_boat_ahead(pitch, &chance);
     scene->boat.edges = outlines ? TP_EDGES_SMOOTH : TP_EDGES_PLAIN;
-    tp_world *world = scene_world(scene, assets());
+    tp_world *world = scene_world(scene, &assets);
     world->tick = random_next(&chance) >> 40;
     tp_world_apply(&tp_program_all, world, scene, NULL);
     draw(scene, world, 0, 16, full);
@@ -162,7 +140,7 @@ static void the_application_draws_over_the_means(void **state)
 
     (void)state;
     tp_world *world = draw_both(&scene, -10 * TP_FX_ONE, true);
-    test_frame f = frame_of(&scene, assets(), &config);
+    test_frame f = frame_of(&scene, &assets, &config);
     frame_draw_picture(&f, world, part[0]);
     assert_int_equal(rows, HEIGHT);
     for (int y = 0; y < HEIGHT; y++) {
@@ -182,7 +160,7 @@ static void the_row_set_after_init_changes_nothing(void **state)
     (void)state;
     tp_world *world = draw_both(&scene, -10 * TP_FX_ONE, true);
     scene.quality.lines = TP_RUNG_EXACT;
-    test_frame f = frame_of(&scene, assets(), &config);
+    test_frame f = frame_of(&scene, &assets, &config);
     scene.quality.lines = TP_RUNG_FAST;
     frame_draw_picture(&f, world, part[0]);
     assert_memory_equal(part, full, sizeof full);
@@ -195,6 +173,7 @@ int main(void)
 {
     chance = random_seed();
     boat_make(&boat, &chance);
+    assets = boat_assets(&boat);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows_between_are_means_and_others_exact),
         cmocka_unit_test(every_tiling_gives_the_same_bits),

@@ -14,6 +14,7 @@ enum { WIDTH = 96, HEIGHT = 70, ROUNDS = 8 };
 
 static uint64_t  chance;
 static test_boat boat;
+static tp_assets assets;
 
 typedef struct {
     uint16_t pixel[HEIGHT][WIDTH];
@@ -95,15 +96,8 @@ static void a_mean_is_half_a_level_off_at_most_and_not_darker(void **state)
 /* Fast water with a boat, from any height; by `pitch` the picture has water or none. */
 static tp_scene any_scene(tp_fx pitch)
 {
-    tp_scene s = scene_plain();
+    tp_scene s = scene_of_boat_ahead(pitch, &chance);
 
-    s.camera.y = chance_fx(&chance, 1, 8);
-    s.camera.heading = chance_fx(&chance, -20, 20);
-    s.camera.pitch = pitch;
-    s.boat.length = 4 * TP_FX_ONE;
-    s.boat.beam = 2 * TP_FX_ONE;
-    s.boat.x = s.camera.x + chance_fx(&chance, -4, 4);
-    s.boat.z = s.camera.z - 9 * TP_FX_ONE;
     s.boat.edges = TP_EDGES_PLAIN;
     s.sky.kind = TP_SKY_DAY;
     if (chance_int(&chance, 0, 1))
@@ -115,24 +109,17 @@ static tp_scene any_scene(tp_fx pitch)
     return s;
 }
 
-static tp_assets assets(void)
-{
-    return (tp_assets){ .boat = &boat.mesh, .layer[0] = &boat.texture[0],
-                        .ripple = &boat.texture[1] };
-}
-
 static void draw(tp_scene *scene, const tp_world *world, int32_t rung,
                  const tp_config *size, picture *to)
 {
     tp_config config = *size;
-    const tp_assets all = assets();
     tp_tile tile;
 
     config.width = WIDTH;
     config.height = HEIGHT;
     config.format = config.format ? config.format : TP_FORMAT_RGB565;
     scene->quality.blending = rung;
-    test_frame f = frame_of(scene, &all, &config);
+    test_frame f = frame_of(scene, &assets, &config);
     tp_frame_begin(f.frame, world);
     for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)
@@ -151,8 +138,7 @@ static tp_world *any_world(tp_scene *scene, tp_fx pitch, bool with_boat)
     *scene = any_scene(pitch);
     if (!with_boat)
         scene->boat.z += 40 * TP_FX_ONE;        /* behind the camera */
-    const tp_assets all = assets();
-    tp_world *world = scene_world(scene, &all);
+    tp_world *world = scene_world(scene, &assets);
     world->tick = random_next(&chance) >> 40;
     tp_world_apply(&tp_program_all, world, scene, NULL);
     return world;
@@ -259,10 +245,9 @@ static void any_place_of_a_picture_gives_the_same_bits(void **state)
     (void)state;
     tp_world *world = any_world(&scene, -10 * TP_FX_ONE, true);
     draw(&scene, world, TP_RUNG_FAST, &bands, &packed);
-    const tp_assets all = assets();
     const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_height = 5,
                                .format = TP_FORMAT_RGB565 };
-    test_frame f = frame_of(&scene, &all, &config);
+    test_frame f = frame_of(&scene, &assets, &config);
     tp_frame_begin(f.frame, world);
     for (uint32_t i = 0;
          tp_frame_draw_tile_direct(f.frame, i, f.scratch, at, stride, &tile); i++)
@@ -293,10 +278,9 @@ static void only_rgb565_pictures_with_means_change(void **state)
     static uint32_t colours[2][HEIGHT][WIDTH];
     const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_height = 16 };
     world = any_world(&scene, -10 * TP_FX_ONE, true);
-    const tp_assets all = assets();
     for (int i = 0; i < 2; i++) {
         scene.quality.blending = i ? TP_RUNG_FAST : TP_RUNG_EXACT;
-        test_frame f = frame_of(&scene, &all, &config);
+        test_frame f = frame_of(&scene, &assets, &config);
         frame_draw_picture(&f, world, colours[i][0]);
         frame_free(&f);
     }
@@ -308,6 +292,7 @@ int main(void)
 {
     chance = random_seed();
     boat_make(&boat, &chance);
+    assets = boat_assets(&boat);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(both_bodies_mean_rows_alike),
         cmocka_unit_test(both_bodies_widen_columns_alike),

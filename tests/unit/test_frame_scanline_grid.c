@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include <sys/mman.h>
 #include <unistd.h>
-#include "frame/frame.h"
+#include "frame/scanline_grid.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 

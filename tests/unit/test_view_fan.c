@@ -9,57 +9,19 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../reference/clip.h"
-#include "view/fan.h"
-#include "view/wave_models.h"
-#include "tests/lib/camera.h"
-#include "tests/lib/grids.h"
+#include "tests/lib/fans.h"
 
 #define METRE 65536.0
 #define Q24 16777216.0
 
 static uint64_t chance;
 
-/* A fan with its memory and all the data of its view. */
-typedef struct {
-    tp_grid grid;
-    void   *block;
-    test_view v;
-    tp_deep_water deep;
-    tp_turn phases[TP_WAVES];
-    tp_surface surface;
-    tp_grid_view look;
-} sea;
-
-static void place(sea *s)
+static fan_sea any_sea(void)
 {
-    s->surface =
-        (tp_surface){ .by = &tp_program_all.water, .deep = &s->deep, .phases = s->phases };
-    s->look.projection = &s->v.projection;
-    s->look.surface = &s->surface;
-    s->look.width = s->v.width;
-    s->look.height = s->v.height;
-    tp_grid_evaluate_vertices(&s->grid, &s->look);
-}
+    fan_sea s = { .v = view_any(&chance) };
 
-static void lay_out(sea *s, uint32_t vertices)
-{
-    s->look.vertices = vertices;
-    s->block = grid_block(&s->grid, vertices, false);
-}
-
-static sea any_sea(void)
-{
-    sea s = { .v = view_any(&chance) };
-    tp_wave waves[TP_WAVES];
-    const int count = chance_int(&chance, 0, 4);
-
-    for (int i = 0; i < count; i++) {
-        waves[i] = chance_wave(&chance);
-        waves[i].amplitude = chance_scale(&chance, 0.01, 1);
-    }
-    tp_deep_water_init(&s.deep, waves, (uint32_t)count, TP_FX(9.81));
-    tp_deep_water_phases(&s.deep, random_next(&chance) >> 20, 0, s.phases);
-    lay_out(&s, (uint32_t)chance_int(&chance, 64, 6000));
+    fan_sea_make_swells(&s, chance_int(&chance, 0, 4), true, &chance);
+    fan_sea_lay_out_grid(&s, (uint32_t)chance_int(&chance, 64, 6000));
     return s;
 }
 
@@ -79,7 +41,7 @@ static double expected_distance(const tp_fan_law *law, uint32_t n)
     return sqrt(fmax(r * r - h * h, 0));
 }
 
-static double row_distance(const sea *s, uint32_t j)
+static double row_distance(const fan_sea *s, uint32_t j)
 {
     const tp_fan *fan = s->grid.fan;
     const tp_fan_row *row = &fan->row[j];
@@ -89,7 +51,7 @@ static double row_distance(const sea *s, uint32_t j)
     return (x * fan->law.right.z - z * fan->law.right.x) / 1073741824 / METRE;
 }
 
-static void check_law(const sea *s)
+static void check_law(const fan_sea *s)
 {
     const tp_fan_law *law = &s->grid.fan->law;
 
@@ -112,8 +74,8 @@ static void rows_follow_the_law(void **state)
 
     (void)state;
     for (int n = 0; n < 400; n++) {
-        sea s = any_sea();
-        place(&s);
+        fan_sea s = any_sea();
+        fan_sea_place(&s);
         check_law(&s);
         ends += s.grid.fan->law.waves_end < TP_FX_MAX;
         free(s.block);
@@ -124,7 +86,7 @@ static void rows_follow_the_law(void **state)
 /* -- no void ------------------------------------------------------------------------- */
 
 /* True if the cell that holds a place of the level plane is among the visible cells. */
-static bool is_covered(const sea *s, double x, double z)
+static bool is_covered(const fan_sea *s, double x, double z)
 {
     for (uint32_t j = 0; j + 1 < s->grid.rows; j++) {
         const tp_fan_row *a = &s->grid.fan->row[j], *b = a + 1;
@@ -165,7 +127,7 @@ static void roll(test_view *v)
                               v->width, v->height);
 }
 
-static void check_ray(const sea *s, double u, double v, uint32_t *met)
+static void check_ray(const fan_sea *s, double u, double v, uint32_t *met)
 {
     const tp_projection *p = &s->v.projection;
     const double f = p->focal / METRE, q = 1073741824;
@@ -187,10 +149,10 @@ static void water_is_wherever_a_ray_meets_it(void **state)
 
     (void)state;
     for (int n = 0; n < 600; n++) {
-        sea s = any_sea();
+        fan_sea s = any_sea();
         if (n % 2)
             roll(&s.v);
-        place(&s);
+        fan_sea_place(&s);
         const double w = s.v.width / 2.0, h = s.v.height / 2.0;
         for (int k = 0; k < 20; k++)
             check_ray(&s, k < 4 ? (k & 1 ? w : -w) : chance_double(&chance, -w, w),
@@ -202,12 +164,12 @@ static void water_is_wherever_a_ray_meets_it(void **state)
 
 /* -- vertices ------------------------------------------------------------------------ */
 
-static tp_fx row_weight(const sea *s, uint32_t j, uint32_t i)
+static tp_fx row_weight(const fan_sea *s, uint32_t j, uint32_t i)
 {
     return tp_fan_row_weight(s->grid.fan, &s->grid.fan->row[j], &s->deep.swell[i]);
 }
 
-static bool keeps_all(const sea *s, uint32_t j)
+static bool keeps_all(const fan_sea *s, uint32_t j)
 {
     for (uint32_t i = 0; i < s->deep.count; i++)
         if (row_weight(s, j, i) < TP_FX_ONE)
@@ -217,7 +179,7 @@ static bool keeps_all(const sea *s, uint32_t j)
 
 /* Compares a vertex with the surface of waves that are as high as the row makes them, its
  * slopes with those of waves that do not fold more than without gain. */
-static void check_vertex(const sea *s, uint32_t i, uint32_t j)
+static void check_vertex(const fan_sea *s, uint32_t i, uint32_t j)
 {
     const tp_grid_vertex *vertex = &s->grid.vertex[j * s->grid.cols + i];
     const tp_view_vertex c = grid_corner(&s->grid, i, j);
@@ -257,8 +219,8 @@ static void kept_waves_are_those_of_the_surface(void **state)
 
     (void)state;
     for (int n = 0; n < 400; n++) {
-        sea s = any_sea();
-        place(&s);
+        fan_sea s = any_sea();
+        fan_sea_place(&s);
         for (uint32_t j = 0; j + 1 < s.grid.rows; j++) {
             const tp_grid_span span = s.grid.span[j];
             if (span.first >= span.end || !keeps_all(&s, j))
@@ -322,9 +284,9 @@ static void variance_is_that_of_the_waves_left_out(void **state)
 {
     (void)state;
     for (int n = 0; n < 200; n++) {
-        sea s = any_sea();
+        fan_sea s = any_sea();
         double sum = 0;
-        place(&s);
+        fan_sea_place(&s);
         tp_fan_row row = { .along = 8000 * TP_FX_ONE, .across = 8000 * TP_FX_ONE };
         const tp_slope_variance v = tp_fan_row_variance(&s.grid, &row,
                                                         TP_FX_ONE);
@@ -367,9 +329,9 @@ static void variance_counts_the_loss_of_interpolation(void **state)
 {
     (void)state;
     for (int n = 0; n < 200; n++) {
-        sea s = any_sea();
+        fan_sea s = any_sea();
         double want = 0, sum = 0;
-        place(&s);
+        fan_sea_place(&s);
         const double rx = s.grid.fan->law.right.x / 0x1p30;
         const double rz = s.grid.fan->law.right.z / 0x1p30;
         const tp_fan_row row = { .along = chance_fx(&chance, 0.1, 4),

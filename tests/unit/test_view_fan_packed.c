@@ -9,60 +9,9 @@
 #include <string.h>
 #include <cmocka.h>
 #include "frame/frame.h"
-#include "tests/lib/fans.h"
-#include "tests/lib/frames.h"
-#include "tests/lib/picture_difference.h"
-#include "tests/lib/scenes.h"
-
-enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT, MOST = FAN_MOST };
-
-static uint64_t chance;
+#include "tests/lib/fan_rungs.h"
 
 /* -- vertices ------------------------------------------------------------------------ */
-
-typedef struct {
-    int32_t  place, slope;      /* largest errors, 1 / 65536 m and 1 / 4096 */
-    uint32_t count, steep;
-    uint64_t squares;           /* of slopes' errors */
-    int32_t  share;             /* of places' errors in the displacement, 1 / 65536 */
-} errors;
-
-static void add_slope_error(errors *to, int32_t exact, int32_t fast)
-{
-    const int32_t by = distance(exact, fast);
-
-    raise(&to->slope, by);
-    to->squares += (uint64_t)(by * by);
-}
-
-/* Raises the errors of row j against the exact vertices: places in view space, slopes up to
- * 1/2. */
-static void compare_row(fan_sea *s, const struct tp_draw_fast_waves *by, uint32_t j, errors *to)
-{
-
-    static tp_view_vertex a[MOST], b[MOST];
-    static tp_grid_vertex m[MOST], n[MOST];
-    const uint32_t cols = s->grid.cols;
-
-    s->grid.fast = NULL;
-    tp_fan_make_view_vertices(&s->grid, j, 0, cols, a);
-    tp_fan_evaluate_row(&s->grid, j, 0, cols, m);
-    s->grid.fast = by;
-    tp_fan_make_view_vertices(&s->grid, j, 0, cols, b);
-    tp_fan_evaluate_row(&s->grid, j, 0, cols, n);
-    for (uint32_t i = 0; i < cols; i++) {
-        raise(&to->place, distance(a[i].x, b[i].x));
-        raise(&to->place, distance(a[i].y, b[i].y));
-        raise(&to->place, distance(a[i].depth, b[i].depth));
-        to->count++;
-        if (distance(m[i].slope_x, 0) > 2048 || distance(m[i].slope_z, 0) > 2048) {
-            to->steep++;
-            continue;
-        }
-        add_slope_error(to, m[i].slope_x, n[i].slope_x);
-        add_slope_error(to, m[i].slope_z, n[i].slope_z);
-    }
-}
 
 /* Returns the part of the largest displacement that a place's error is, 1 / 65536, beyond
  * half a unit for each column. */
@@ -86,7 +35,7 @@ static errors errors_of(const struct tp_draw_fast_waves *by, bool plain_normals)
         s.grid.plain_normals = plain_normals;
         for (uint32_t j = 0; j < s.grid.rows; j += 3) {
             e.place = 0;
-            compare_row(&s, by, j, &e);
+            compare_row(&s, by, j, 2048, &e); /* slopes up to 1/2 */
             raise(&e.share, place_share(&s, e.place));
         }
         free(s.block);
@@ -157,8 +106,6 @@ static void level_water_has_no_slopes(void **state)
 
 static void parts_of_a_row_have_the_same_bits(void **state)
 {
-    static tp_grid_vertex whole[MOST], part[MOST];
-
     (void)state;
     for (int n = 0; n < 30; n++) {
         fan_sea s;
@@ -167,15 +114,7 @@ static void parts_of_a_row_have_the_same_bits(void **state)
         s.grid.plain_normals = n & 2;
         s.grid.large = n & 4 ? &tp_draw_large_waves : NULL;
         s.grid.half_px = 1;
-        const uint32_t cols = s.grid.cols, cut = (uint32_t)chance_int(&chance, 0, (int)cols);
-        for (uint32_t j = 0; j < s.grid.rows; j += 7) {
-            memset(whole, 0, sizeof whole);
-            memset(part, 0, sizeof part);
-            tp_fan_evaluate_row(&s.grid, j, 0, cols, whole);
-            tp_fan_evaluate_row(&s.grid, j, cut, cols, part);
-            tp_fan_evaluate_row(&s.grid, j, 0, cut, part);
-            assert_memory_equal(part, whole, sizeof whole);
-        }
+        check_parts_of_rows(&s);
         free(s.block);
     }
 }
@@ -278,31 +217,11 @@ static void swells_left_out_are_slope_variance(void **state)
 
 /* -- pictures ------------------------------------------------------------------------ */
 
-/* Draws the scene and returns the renderer. */
-static tp_visibility draw(const tp_scene *scene, const tp_world *world, uint32_t wide,
-                          uint32_t high, uint32_t *pixels)
-{
-    const tp_assets none = { 0 };
-    const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_width = wide,
-                               .tile_height = high, .format = TP_FORMAT_XRGB8888 };
-    test_frame f = frame_of(scene, &none, &config);
-
-    frame_draw_picture(&f, world, pixels);
-    const tp_visibility visibility = f.frame->visibility;
-    frame_free(&f);
-    return visibility;
-}
-
 /* A scene with rungs by the bits of n. */
 static tp_scene scene_of_rungs(int n)
 {
-    tp_scene s = scene_plain();
+    tp_scene s = scene_of_swells(n);
 
-    s.quality.visibility = n & 1 ? TP_VISIBILITY_ROWS : TP_VISIBILITY_TRIANGLES;
-    s.wind.strength = n & 2 ? TP_FX(0.2) : 0;
-    s.camera.y = chance_fx(&chance, 3, 9);
-    s.camera.pitch = chance_fx(&chance, -25, 2);
-    s.grid.vertices = chance_int(&chance, 200, 3000);
     s.water.rough = 1;
     s.quality.sine = n & 4 ? TP_RUNG_FAST : TP_RUNG_EXACT;
     s.quality.normals = n & 8 ? TP_RUNG_FAST : TP_RUNG_EXACT;
@@ -313,27 +232,16 @@ static tp_scene scene_of_rungs(int n)
 /* The pictures in tiles, and the rms of their difference from the exact ones. */
 static void tiles_change_no_pixel(void **state)
 {
-    static uint32_t exact[PIXELS], whole[PIXELS], other[PIXELS];
-    const tp_assets none = { 0 };
     uint64_t sum = 0;
 
     (void)state;
-    for (int n = 0; n < 24; n++) {
+    for (int n = 0; n < PICTURES; n++) {
         const tp_scene scene = scene_of_rungs(n);
         tp_scene plain = scene;
         plain.quality.sine = plain.quality.normals = plain.quality.geometry = TP_RUNG_EXACT;
-        tp_world *world = scene_world(&scene, &none);
-        assert_non_null(world);
-        draw(&plain, world, 0, HEIGHT, exact);
-        draw(&scene, world, 0, HEIGHT, whole);
-        draw(&scene, world, n % 3 ? 32 : 0, n % 2 ? 16 : 13, other);
-        assert_memory_equal(other, whole, sizeof whole);
-        sum += picture_square_sum(exact, whole, PIXELS);
-        free(world);
+        sum += check_tiles(n, &plain, &scene);
     }
-    const uint64_t mean = sum * 100 / (24 * 3 * (uint64_t)PIXELS);
-    printf("  mean square %u / 100 levels\n", (unsigned)mean);
-    assert_in_range(mean, 1, 20000);
+    assert_in_range(mean_square(sum), 1, 20000);
 }
 
 /* Renderers without a fan have no such rungs: their pictures are the exact ones. */

@@ -6,55 +6,21 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "../reference/clip.h"
-#include "view/grid.h"
-#include "tests/lib/camera.h"
-#include "tests/lib/grids.h"
+#include "tests/lib/fans.h"
 
 #define LSB (1 / 65536.0)
 
 static uint64_t chance;
 
-/* A grid with its memory and all the data of its view. */
-typedef struct {
-    tp_grid grid;
-    void   *block;
-    test_view    v;
-    tp_deep_water  deep;
-    tp_turn phases[TP_WAVES];
-    tp_surface surface;
-    tp_grid_view look;
-} pond;
-
-static void place(pond *p)
-{
-    p->look.projection = &p->v.projection;
-    p->surface =
-        (tp_surface){ .by = &tp_program_all.water, .deep = &p->deep, .phases = p->phases };
-    p->look.surface = &p->surface;
-    p->look.width = p->v.width;
-    p->look.height = p->v.height;
-    tp_grid_evaluate_vertices(&p->grid, &p->look);
-}
-
 /* The grid of any legal scene; waves from the whole ranges of the table. */
-static pond any_pond(int most)
+static fan_sea any_sea(int most)
 {
-    pond p = { .v = view_any(&chance) };
-    tp_wave waves[TP_WAVES];
+    fan_sea s = { .v = view_any(&chance) };
     const int count = chance_int(&chance, 0, 6);
 
-    p.look.vertices = (uint32_t)chance_int(&chance, 64, most);
-    p.block = grid_block(&p.grid, p.look.vertices, false);
-    for (int i = 0; i < count; i++)
-        waves[i] = chance_wave(&chance);
-    tp_deep_water_init(&p.deep, waves, (uint32_t)count, TP_FX(9.81));
-    tp_deep_water_phases(&p.deep, random_next(&chance) >> 20, 0, p.phases);
-    return p;
-}
-
-static void pond_free(pond *p)
-{
-    free(p->block);
+    fan_sea_lay_out_grid(&s, (uint32_t)chance_int(&chance, 64, most));
+    fan_sea_make_swells(&s, count, false, &chance);
+    return s;
 }
 
 /* -- grid vertices ------------------------------------------------------------------- */
@@ -67,8 +33,8 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
     uint64_t cells = 0, vertices = 0;
 
     for (int n = 0; n < 150; n++) {
-        pond p = any_pond(2450);
-        place(&p);
+        fan_sea p = any_sea(2450);
+        fan_sea_place(&p);
         for (uint32_t j = 0; j + 1 < p.grid.rows; j++) {
             for (uint32_t i = p.grid.span[j].first; i < p.grid.span[j].end; i++) {
                 cells++;
@@ -90,7 +56,7 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
         }
         vertices += p.grid.vertices;
         assert_true(p.grid.vertices <= p.grid.cols * p.grid.rows);
-        pond_free(&p);
+        free(p.block);
     }
     printf("    %" PRIu64 " cells, %" PRIu64 " vertices\n", cells, vertices);
     assert_true(cells > 1000);
@@ -100,7 +66,7 @@ static void every_corner_of_a_seen_cell_is_there(void **state)
 
 /* True if a triangle of three grid vertices shows in the picture, in double precision.  x
  * is scaled to make the picture square. */
-static bool is_seen(const pond *p, const uint32_t at[3][2])
+static bool is_seen(const fan_sea *p, const uint32_t at[3][2])
 {
     const double tall = p->v.height / 2.0 / ldexp(1, p->v.projection.m);
     ref_clip_corner corner[3], left[8];
@@ -119,8 +85,8 @@ static void no_cell_that_shows_is_left_out(void **state)
     int seen = 0, taken = 0;
 
     for (int n = 0; n < 400; n++) {
-        pond p = any_pond(800);
-        place(&p);
+        fan_sea p = any_sea(800);
+        fan_sea_place(&p);
         for (uint32_t j = 0; j + 1 < p.grid.rows; j++) {
             const tp_grid_span span = p.grid.span[j];
             assert_true(span.first <= span.end && span.end <= p.grid.cols - 1);
@@ -134,7 +100,7 @@ static void no_cell_that_shows_is_left_out(void **state)
                 assert_true(span.first <= i && i < span.end);
             }
         }
-        pond_free(&p);
+        free(p.block);
     }
     printf("    %d cells show, %d are taken\n", seen, taken);
     assert_true(seen > 1000);
@@ -144,8 +110,8 @@ static void boxes_hold_their_cells(void **state)
 {
     (void)state;
     for (int n = 0; n < 200; n++) {
-        pond p = any_pond(1400);
-        place(&p);
+        fan_sea p = any_sea(1400);
+        fan_sea_place(&p);
         for (uint32_t j = 0; j + 1 < p.grid.rows; j++) {
             for (uint32_t i = p.grid.span[j].first; i < p.grid.span[j].end; i++) {
                 const tp_grid_box *box =
@@ -163,7 +129,7 @@ static void boxes_hold_their_cells(void **state)
                 }
             }
         }
-        pond_free(&p);
+        free(p.block);
     }
 }
 

@@ -11,7 +11,6 @@
 #include "shade/slope.h"
 
 #define REACH   48              /* px around the map's box */
-#define BESIDE  (65536 + 8192)  /* as for the exact stage: an eighth beyond the object */
 #define FACTOR_BITS 14          /* of twice the focal length, 28.4, in a factor */
 
 /* A block's displacement.  u, v: of a column, without its slope, 28.4 px, to add to the
@@ -80,18 +79,11 @@ static int32_t scaled_factor(int32_t factor, int32_t reach, int32_t down)
 static bool block_shift_make(const tp_shade *shade, const tp_mirror *look, int32_t x,
                              int32_t y, uint32_t key, block_shift *to)
 {
-    const tp_planar_map *map = &look->map;
-    const tp_mirrored_zi *column = &look->zi[tp_clamp(
-        (x >> map->halvings) - map->x0, 0, map->x1 - map->x0 - 1)];
-    uint32_t zi = column->near;
-    int32_t  ratio = tp_mirror_depth_ratio(zi, key);
+    uint32_t zi;
+    int32_t ratio;
 
-    if (ratio > BESIDE) {
-        zi = column->far;
-        ratio = tp_mirror_depth_ratio(zi, key);
-        if (ratio > 65536)
-            return false;
-    }
+    if (!tp_mirror_find_object(look, x, key, &zi, &ratio))
+        return false;
     const short_push p = short_push_make(shade, x, y);
     const int32_t share = tp_clamp(65536 - ratio, 0, 65536) * look->bend >> 8;
     const int64_t high = ((int64_t)zi * look->height >> 27)

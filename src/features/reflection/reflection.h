@@ -51,6 +51,31 @@ TP_ALWAYS_INLINE int32_t tp_mirror_depth_ratio(uint32_t object_zi, uint32_t wate
     return ratio < 131071 ? (int32_t)ratio : 131071;
 }
 
+/* In a column with several objects, water up to the nearest object and 1/8 beyond it, by
+ * z / zm in Q16, reflects the nearest.  Water farther away reflects the farthest object.
+ * Water behind the farthest object reflects none of them: the reflected rays start behind
+ * all objects. */
+#define TP_MIRROR_BESIDE (65536 + 8192)
+
+/* Finds the object that water at column x of the picture reflects: its zi, and z / zm, Q16.
+ * Returns false if the water reflects none. */
+TP_ALWAYS_INLINE bool tp_mirror_find_object(const tp_mirror *look, int32_t x,
+                                            uint32_t water_key, uint32_t *zi,
+                                            int32_t *ratio)
+{
+    const tp_planar_map *map = &look->map;
+    const tp_mirrored_zi *column = &look->zi[tp_clamp(
+        (x >> map->halvings) - map->x0, 0, map->x1 - map->x0 - 1)];
+
+    *zi = column->near;
+    *ratio = tp_mirror_depth_ratio(*zi, water_key);
+    if (*ratio <= TP_MIRROR_BESIDE)
+        return true;
+    *zi = column->far;
+    *ratio = tp_mirror_depth_ratio(*zi, water_key);
+    return *ratio <= 65536;
+}
+
 #define TP_OBJECT_CUBE_ID TP_MODULE_ID('c', 'u', 'b', 'e')
 
 #define TP_OBJECT_CUBE_SIDE  32

@@ -22,9 +22,7 @@
  * Water h above the level has its image 2 h higher.  The look-up moves down by 2 h / zm,
  * and h / zm = eye / zm + dy z / zm.
  *
- * In a column with several objects, water up to the nearest object and 1/8 beyond it
- * reflects the nearest.  Water farther away reflects the farthest object.  Water behind
- * the farthest object reflects none of them: the reflected rays start behind all objects.
+ * In a column with several objects, tp_mirror_find_object picks one.
  *
  * Displacements are linear in the slopes; their factors are computed at every 16th
  * column. */
@@ -121,8 +119,6 @@ TP_ALWAYS_INLINE int32_t pixel_displacement(int32_t by_x, int32_t sx, int32_t by
                                  1 << 15);
 }
 
-#define BESIDE (65536 + 8192)
-
 /* Returns the colour of the reflected object at column x; 0: no object. */
 TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t y,
                                                   const tp_mirror_push *a,
@@ -131,17 +127,11 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
                                                   int32_t sz)
 {
     const tp_planar_map *map = &look->map;
-    int32_t k = x & 15, last = map->x1 - map->x0 - 1;
-    const tp_mirrored_zi *column =
-        &look->zi[tp_clamp((x >> map->halvings) - map->x0, 0, last)];
-    uint32_t zi = column->near;
-    int32_t ratio = tp_mirror_depth_ratio(zi, key);
-    if (ratio > BESIDE) {
-        zi = column->far;
-        ratio = tp_mirror_depth_ratio(zi, key);
-        if (ratio > 65536)
-            return 0;
-    }
+    int32_t k = x & 15, ratio;
+    uint32_t zi;
+
+    if (!tp_mirror_find_object(look, x, key, &zi, &ratio))
+        return 0;
     int32_t share = tp_clamp(65536 - ratio, 0, 65536) * look->bend >> 8;
     int64_t high = ((int64_t)zi * look->height >> 27)
                    + ((int64_t)interpolate_in_block(a->dy, step->dy, k) * ratio >> 16);

@@ -55,7 +55,7 @@ TP_ALWAYS_INLINE void find_map_places(const tp_mirror *look, uint32_t height, in
         const uint32_t recip = (uint32_t)tp_recip_rough(water << shift);
         const int32_t  first = wide_depth_ratio(near, recip, shift);
         const int32_t  second = wide_depth_ratio(far, recip, shift);
-        const bool     behind = first > BESIDE;
+        const bool     behind = first > TP_MIRROR_BESIDE;
         const uint32_t zi = behind ? far : near;
         const int32_t  ratio = behind ? second : first;
         const int32_t  share = tp_clamp(65536 - ratio, 0, 65536) * bend >> 8;
@@ -77,7 +77,7 @@ TP_ALWAYS_INLINE void find_map_places(const tp_mirror *look, uint32_t height, in
         const int32_t  i0 = (u - 16) >> 5, j0 = (v - 16) >> 5;
         to->u[i] = u;
         to->v[i] = v;
-        to->meets[i] = (ratio <= (behind ? 65536 : BESIDE)) & (i0 >= map.x0 - 1)
+        to->meets[i] = (ratio <= (behind ? 65536 : TP_MIRROR_BESIDE)) & (i0 >= map.x0 - 1)
                      & (i0 < map.x1) & (j0 >= map.y0 - 1) & (j0 < map.y1);
     }
 }

@@ -3,7 +3,8 @@
  * Fast shading of water: layers, ripples, light, the reflected sky and glints.  This header
  * has baked textures, tables of light, and the stepped view.
  *
- *     fast_water_drawing.c   its shader list, and a frame's baked textures
+ *     fast_water_drawing.c   its shader list
+ *     fast_water_textures.c  a frame's baked textures
  *     fast_water_tables.c    bakes textures, for frames and for `tidepool bake`
  *     fast_light_tables.c    makes tables of light, and chooses those of a span
  *     fast_layers_stage.c    span stages of layers, distortion and ripples; loops in

@@ -4,161 +4,18 @@
  * two at half rate.
  */
 #include "base/base.h"
-#include "features/water/fast_shading.h"
-#include "features/water/water.h"
+#include "features/water/fast_water_textures.h"
 #include "frame/frame.h"
 #include "frame/tools.h"
 
 /* -- data of a frame ----------------------------------------------------------------- */
 
-/* Parameters of a baked texture; `amount` is saturation, strength or bump. */
 typedef struct {
-    tp_fx    amount, clamp;
-    uint32_t colour;
-} tp_quick_wish;
-
-typedef struct {
-    tp_quick_layers layers;                 /* data of the stages; first member */
+    tp_quick_layers layers;     /* data of the stages; first member */
     struct tp_quick_light light;
-    uint32_t      levels;                   /* of roughness; the memory of light's tables */
-    void         *memory[TP_BAKED_LAYERS];  /* NULL: not baked here */
-    tp_texture    picture[TP_BAKED_LAYERS]; /* levels 0: not baked yet */
-    tp_quick_wish made[TP_BAKED_LAYERS];
+    uint32_t levels;            /* of roughness; the memory of light's tables */
+    tp_fast_textures textures;
 } tp_fast_water;
-
-/* -- textures ------------------------------------------------------------------------ */
-
-/* The assets contain a texture already baked, or the frame bakes the texture into its own
- * block, again whenever a parameter of the texture has changed. */
-
-enum { OFFSETS = TP_LAYERS, SLOPES };
-
-static const tp_texture *source_texture(const tp_assets *assets, int i)
-{
-    return i == OFFSETS ? assets->distortion : i == SLOPES ? assets->ripple
-         : assets->layer[i];
-}
-
-static const tp_texture *baked_texture(const tp_assets *assets, int i)
-{
-    return i == OFFSETS ? assets->baked_offset : i == SLOPES ? assets->baked_slope
-         : assets->baked_layer[i];
-}
-
-/* Takes memory for the baked textures missing in the assets. */
-static void quick_layout_pictures(void *memory[TP_BAKED_LAYERS], tp_arena *arena,
-                                  const tp_assets *assets)
-{
-    for (int i = 0; i < TP_BAKED_LAYERS; i++) {
-        const tp_texture *source = source_texture(assets, i);
-        const bool made_here = source && !baked_texture(assets, i);
-        memory[i] = made_here ? tp_arena_alloc(arena, 1, tp_quick_bytes(source)) : NULL;
-    }
-}
-
-/* -- parameters of baked textures ---------------------------------------------------- */
-
-/* Returns the colour of layer i.  The base layer includes the water's colour, as in
- * water_drawing.c. */
-static uint32_t layer_colour(const tp_scene *scene, const tp_assets *assets, int i)
-{
-    const uint32_t colour = (uint32_t)scene->layer[i].colour;
-
-    if (i > 0)
-        return colour;
-    return assets->layer[0] ? tp_colour_times((uint32_t)scene->water.colour, colour)
-                            : (uint32_t)scene->water.colour;
-}
-
-/* Returns the parameters to bake texture i with: a layer, OFFSETS or SLOPES. */
-static tp_quick_wish bake_parameters(const tp_scene *scene, const tp_assets *assets, int i)
-{
-    if (i == OFFSETS)
-        return (tp_quick_wish){ .amount = scene->distortion.strength };
-    if (i == SLOPES)
-        return (tp_quick_wish){ .amount = scene->ripple.bump };
-    return (tp_quick_wish){
-        .amount = scene->layer[i].saturation, .clamp = scene->layer[i].clamp,
-        .colour = layer_colour(scene, assets, i),
-    };
-}
-
-static bool is_same(const tp_quick_wish *a, const tp_quick_wish *b)
-{
-    return a->amount == b->amount && a->clamp == b->clamp && a->colour == b->colour;
-}
-
-static void bake_texture(tp_texture *to, int i, const tp_texture *source,
-                         const tp_quick_wish *wish, void *memory)
-{
-    if (i == OFFSETS)
-        tp_quick_offsets(to, source, wish->amount, memory);
-    else if (i == SLOPES)
-        tp_quick_slopes(to, source, wish->amount, memory);
-    else
-        tp_quick_graded(to, source, wish->amount, wish->clamp, wish->colour, memory);
-}
-
-size_t tp_baked_layer_bytes(const tp_assets *assets, int i)
-{
-    TP_ASSERT(assets != NULL && i >= 0 && i < TP_BAKED_LAYERS);
-    const tp_texture *source = source_texture(assets, i);
-    return source ? tp_quick_bytes(source) : 0;
-}
-
-void tp_bake_layer(tp_texture *to, const tp_scene *scene, const tp_assets *assets, int i,
-                   void *memory)
-{
-    TP_ASSERT(i >= 0 && i < TP_BAKED_LAYERS);
-    const tp_quick_wish wish = bake_parameters(scene, assets, i);
-    bake_texture(to, i, source_texture(assets, i), &wish, memory);
-}
-
-/* Returns the baked texture i, baked now if needed; NULL: none. */
-static const tp_texture *provide_baked_texture(const tp_frame *frame, tp_fast_water *fast,
-                                               int i)
-{
-    const tp_quick_wish wish = bake_parameters(frame->scene, &frame->assets, i);
-
-    if (baked_texture(&frame->assets, i))
-        return baked_texture(&frame->assets, i);
-    if (!fast->memory[i])
-        return NULL;
-    if (fast->picture[i].levels == 0 || !is_same(&fast->made[i], &wish))
-        bake_texture(&fast->picture[i], i, source_texture(&frame->assets, i), &wish,
-                     fast->memory[i]);
-    fast->made[i] = wish;
-    return &fast->picture[i];
-}
-
-/* Returns baked texture i, placed on the water as `map` says; `lod_bias` is added to the
- * level of detail of the frame. */
-static tp_quick_map make_baked_map(const tp_frame *frame, tp_fast_water *fast,
-                                   int texture_index, const tp_scene_map *map,
-                                   int32_t lod_bias)
-{
-    tp_layer layer =
-        tp_frame_layer(frame, provide_baked_texture(frame, fast, texture_index), map);
-
-    layer.lod += lod_bias;
-    return tp_quick_map_make(&layer);
-}
-
-/* Sets the layers of this frame.  Call after the water's colour is set. */
-static void quick_begin_layers(tp_frame *frame, tp_fast_water *fast)
-{
-    const tp_scene *scene = frame->scene;
-    tp_quick_layers *layers = &fast->layers;
-
-    for (int k = 0; k < TP_LAYERS; k++)
-        layers->layer[k] = make_baked_map(frame, fast, k, &scene->layer[k].map, 0);
-    layers->bend = make_baked_map(frame, fast, OFFSETS, &scene->distortion.map, 0);
-    layers->ripple =        /* a bilinear look-up blurs as the exact stages do */
-        make_baked_map(frame, fast, SLOPES, &scene->ripple.map,
-                       scene->quality.ripple == TP_RUNG_EXACT ? 0 : TP_RIPPLE_LOD);
-}
-
-#define MOST 6                  /* maximum of stages in a list */
 
 /* -- tables of light ----------------------------------------------------------------- */
 
@@ -224,7 +81,7 @@ static void begin_fast_water(tp_frame *frame, void *mine)
 
     if (frame->rungs.shading != TP_SHADING_QUICK)
         return;
-    quick_begin_layers(frame, fast);
+    tp_fast_textures_begin(&fast->textures, frame, &fast->layers);
     const bool ripples = bends_normals(frame, &fast->layers);
     frame->shade.quick = &fast->light;
     fast->light.lit = tp_frame_has_module(frame, TP_MODULE_CLEAR);
@@ -241,7 +98,7 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     const int env = conditions->above & TP_MODULE_CUBE ? TP_ENV_CUBE
                   : conditions->above & TP_MODULE_DOME ? TP_ENV_DOME : TP_ENV_GRADIENT;
     uint32_t *sky = tp_arena_alloc(arena, tp_quick_sky_words(env, levels), sizeof *sky);
-    void *counted[TP_BAKED_LAYERS];
+    tp_fast_textures counted;
 
     if (fast) {
         fast->light.rough = rough;
@@ -249,7 +106,7 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
         fast->levels = levels;
     }
 
-    quick_layout_pictures(fast ? fast->memory : counted, arena, conditions->assets);
+    tp_fast_textures_layout(fast ? &fast->textures : &counted, arena, conditions->assets);
     return fast;
 }
 
@@ -258,12 +115,13 @@ static void init(tp_frame *frame, void *mine)
     tp_fast_water *fast = mine;
 
     (void)frame;
-    for (int i = 0; i < TP_BAKED_LAYERS; i++)
-        fast->picture[i].levels = 0;
+    tp_fast_textures_init(&fast->textures);
     fast->light.made_for[0] = -1;
 }
 
 /* -- the shader list ----------------------------------------------------------------- */
+
+#define MOST 6                  /* maximum of stages in a list */
 
 /* Stages; those from `light` on come after the stages of other modules that change slopes
  * and colours. */
