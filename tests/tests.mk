@@ -140,11 +140,10 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    tests/accuracy/rungs.sh \
-	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms console) \
+	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms) \
 	    tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \
 	    $(filter-out $(SAN_UNIT) $(SLOW) $(SOAKED) $(QUICK),$(UNIT)) $(call at_san,$(GOLDEN)) \
-	    tests/gates/host.sh \
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape \
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count \
@@ -155,15 +154,16 @@ MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot
                frame_history frame_hostile frame_project frame_screen_grid frame_stream \
                frame_tiles interact_setting mesh_triangulate_large quality_fixed_cost \
                quality_plan raster_attributes raster_fill undo), $(UNIT))
-# The random scenes, tapes and builds that a whole run has fewer of, i386 and riscv64;
-# boards at -O2, and more numbers of threads.
+# The random scenes, tapes and builds that a whole run has fewer of; all other processors,
+# raspi0 and raspi3b; boards at -O2; the console; host's object code (tests/gates/arm.sh has
+# the same gates for boards); and more numbers of threads.
 SOAK    := TP_SOAK=1 TP_SCENES=10000 FUZZ_SECONDS=$${FUZZ_SECONDS:-300} TP_TIMEOUT=7200
 soak-tests: everything build/host/count.so build/host/tally.so
 	@$(MAKE) --no-print-directory $(SAN) unit sanitized
 	@$(SOAK) $(RUN) build/log/soak \
-	    $(patsubst %,tests/gates/%.sh,coverage sanitized) \
+	    $(patsubst %,tests/gates/%.sh,coverage sanitized host) \
 	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh tests/accuracy/rungs.sh \
-	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events) \
+	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
                 effects) \
 	    $(patsubst %,tests/host/%.sh,threads saves generators); scripts=$$?; \

@@ -3,8 +3,8 @@
 # Raspberry Pi boards, emulated: the screen equals the golden frame pixel by pixel, in 32
 # and in 16 bits, from the ELF file and from the image for a card; frames reported on the
 # serial port equal the host's, also after lines that set the scene's numbers; each fault
-# is one clear line. The boards' programs are built at -O1, with TP_SOAK set at -O2 as they
-# are for use, and raspi0's as well.
+# is one clear line. Quick: raspi2b, built at -O1. With TP_SOAK set all boards, built at -O2
+# as they are for use.
 #     rpi.sh [PROGRAM]
 . "$(dirname "$0")/../lib/script.sh"
 
@@ -17,9 +17,9 @@ same=build/host/tests/boards/same_picture
 
 # board | emulator | triple | option that loads a card's image at the firmware's address
 loader='-device loader,force-raw=on,cpu-num=0,addr=0x8000,file=@'
-boards="${TP_SOAK:+raspi0 | arm | arm-none-eabi | $loader}
+boards="${TP_SOAK:+raspi0 | arm | arm-none-eabi | $loader
+raspi3b | aarch64 | aarch64-linux-gnu | -kernel @}
 raspi2b | arm     | arm-none-eabi     | $loader
-raspi3b | aarch64 | aarch64-linux-gnu | -kernel @
 "
 
 alone build -s $same >/dev/null || exit 1
