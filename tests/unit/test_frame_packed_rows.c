@@ -218,11 +218,13 @@ static void every_tiling_gives_the_same_bits(void **state)
     };
 
     (void)state;
-    for (int n = 0; n < ROUNDS / 2; n++) {
+    for (int n = 0; n < ROUNDS; n++) {
         tp_scene scene;
         tp_world *world = any_world(&scene, chance_fx(&chance, -30, 0), n % 2);
         scene.quality.lines = n % 4 == 3 ? TP_RUNG_EXACT : TP_RUNG_FAST;
         scene.quality.rows = chance_int(&chance, TP_RUNG_EXACT, TP_RUNG_PAIRS);
+        scene.quality.visibility = n < ROUNDS / 2 ? TP_VISIBILITY_ROWS
+                                                  : TP_VISIBILITY_TRIANGLES;
         draw(&scene, world, TP_RUNG_FAST, &bands, &packed);
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
             draw(&scene, world, TP_RUNG_FAST, &sizes[i], &part);
