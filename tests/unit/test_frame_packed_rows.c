@@ -106,8 +106,7 @@ static tp_scene any_scene(tp_fx pitch)
     s.boat.z = s.camera.z - 9 * TP_FX_ONE;
     s.boat.edges = TP_EDGES_PLAIN;
     s.sky.kind = TP_SKY_DAY;
-    if (chance_int(&chance, 0, 1))
-        s.sky.haze = 0;                         /* the light is the water's last stage */
+    s.sky.haze = chance_int(&chance, 0, 1) ? 30 * TP_FX_ONE : 0;    /* 0: light is last */
     s.hdr.exposure_factor = chance_int(&chance, 0, 1) ? TP_FX_ONE : TP_FX(1.3);
     s.water.reflection = TP_FX(0.8);
     s.quality.shading = TP_SHADING_QUICK;
