@@ -73,8 +73,8 @@ TP_NEVER_INLINE void pack_even_columns(const packed_tile *t, uint16_t *to,
         WIDEN(to, half, run, 0);
 }
 
-TP_ALWAYS_INLINE void shade_packed_run(const packed_tile *t, const tp_shaders *list, uint16_t *to,
-                             tp_run *run)
+TP_ALWAYS_INLINE void shade_packed_run(const packed_tile *t, const tp_shaders *list,
+                                       uint16_t *to, tp_run *run)
 {
     tp_frame_shade_run(t->frame, list, !t->found, run);
     if (t->frame->shade.evens_only && list->kind == TP_LIST_FAST)

@@ -5,8 +5,9 @@
  * in a word for cores with the DSP extension; the words need little-endian memory.
  *
  * A mean of two levels is rounded up or down by its place in the picture, so that neither
- * rows nor columns get darker: between two rows by pairs of columns and of rows, between
- * columns by pairs of rows.  `be`, a literal: pixels have the upper byte first.
+ * rows nor columns get darker.  Pairs of columns and of rows take turns for the mean of two
+ * rows, pairs of rows for the mean of two columns.  `be`, a literal: pixels have the upper
+ * byte first.
  */
 #ifndef TP_PIXEL_PACKED_BLEND_H
 #define TP_PIXEL_PACKED_BLEND_H
