@@ -2,7 +2,8 @@
 /*
  * Means of packed rgb565 pixels, for quality.blending: of two rows, and of the even
  * columns of a row.  Two bodies have the same results: one pixel at a time, and two pixels
- * in a word for cores with the DSP extension; the words need little-endian memory.
+ * in a word.  Columns in words need little-endian memory; other machines take the first body
+ * for them.
  *
  * A mean of two levels is rounded up or down by its place in the picture, so that neither
  * rows nor columns get darker.  Pairs of columns and of rows take turns for the mean of two
@@ -157,6 +158,9 @@ TP_ALWAYS_INLINE void packed_widen_block(uint32_t *to, const uint32_t *half, boo
     packed_widen_pair(to, 6, d, d >> 16, up, be);
 }
 
+/* 1: the first of two pixels in a word is the lower half. */
+#define TP_FIRST_PIXEL_IS_LOW (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
+
 /* The same as plain_widen_columns, of a whole run.  Even columns of blocks of 16 columns
  * begin at multiples of 4 bytes in `half`, and pixels of even columns in `to`. */
 TP_ALWAYS_INLINE void packed_widen_run(uint16_t *to, const uint16_t *half, int32_t x,
@@ -164,7 +168,7 @@ TP_ALWAYS_INLINE void packed_widen_run(uint16_t *to, const uint16_t *half, int32
 {
     const int32_t begin = -x & 15, end = count - ((x + count) & 15);
 
-    if (begin >= end) {
+    if (begin >= end || !TP_FIRST_PIXEL_IS_LOW) {
         plain_widen_columns(to, half, x, y, 0, count, count, be);
         return;
     }
