@@ -7,13 +7,15 @@
  *
  * A mean of two levels is rounded up or down by its place in the picture, so that neither
  * rows nor columns get darker.  Pairs of columns and of rows take turns for the mean of two
- * rows, pairs of rows for the mean of two columns.  `be`, a literal: pixels have the upper
- * byte first.
+ * rows, pairs of rows for the mean of two columns.  `be`, a literal: the bytes of
+ * pixels are swapped, as rgb565be has them on little-endian machines.
  */
 #ifndef TP_PIXEL_PACKED_BLEND_H
 #define TP_PIXEL_PACKED_BLEND_H
 #include "base/base.h"
 #include "base/word_pairs.h"
+
+#define TP_IS_LITTLE_ENDIAN (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
 
 /* -- one or two pixels --------------------------------------------------------------- */
 
@@ -158,9 +160,6 @@ TP_ALWAYS_INLINE void packed_widen_block(uint32_t *to, const uint32_t *half, boo
     packed_widen_pair(to, 6, d, d >> 16, up, be);
 }
 
-/* 1: the first of two pixels in a word is the lower half. */
-#define TP_FIRST_PIXEL_IS_LOW (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
-
 /* The same as plain_widen_columns, of a whole run.  Even columns of blocks of 16 columns
  * begin at multiples of 4 bytes in `half`, and pixels of even columns in `to`. */
 TP_ALWAYS_INLINE void packed_widen_run(uint16_t *to, const uint16_t *half, int32_t x,
@@ -168,7 +167,7 @@ TP_ALWAYS_INLINE void packed_widen_run(uint16_t *to, const uint16_t *half, int32
 {
     const int32_t begin = -x & 15, end = count - ((x + count) & 15);
 
-    if (begin >= end || !TP_FIRST_PIXEL_IS_LOW) {
+    if (begin >= end || !TP_IS_LITTLE_ENDIAN) {
         plain_widen_columns(to, half, x, y, 0, count, count, be);
         return;
     }
