@@ -98,7 +98,8 @@ typedef struct {
     tp_format format;               /* 0: xrgb8888 */
     const tp_program *program;      /* NULL: the linked program */
     const tp_assets  *assets;       /* NULL: the scene's built-in pictures, or none */
-    tp_overlay overlay;             /* from tp_overlay_make; all zero: none */
+    tp_overlay overlay;             /* from tp_overlay_make; all zero: none.  With an overlay
+                                     * quality.blending is exact */
     bool      depth;                /* true: tp_frame_sample_row gives the depth of the
                                      * drawn water at every rung; an overlay implies it.
                                      * The picture does not depend on it */

@@ -241,12 +241,14 @@ static void choose_vertices(const tp_frame *frame, tp_grid *grid)
         grid->fast = &draw->packed_waves->by;
 }
 
-/* Chooses the weights of the swells; the slope variance is made anew if they change. */
+/* Chooses the weights of the swells; the slope variance is made anew if they change.  Water
+ * over a floor keeps all swells, so none of them is variance. */
 static void choose_weights(const tp_frame *frame, tp_grid *grid)
 {
     const int32_t rung = frame->scene->quality.geometry;
+    const bool coastal = frame->surface.coastal && grid->dry;
     const struct tp_draw_large_waves *large =
-        rung >= TP_RUNG_FAST ? frame->program->draw.large_waves : NULL;
+        rung >= TP_RUNG_FAST && !coastal ? frame->program->draw.large_waves : NULL;
     const uint8_t half_px = rung > TP_RUNG_FAST ? 2 : 1;
 
     if ((large != grid->large || half_px != grid->half_px) && frame->buffers.filtered)

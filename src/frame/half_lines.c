@@ -51,8 +51,8 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile,
 
 /* Returns the number of pixels, up to `limit`, with water both above and below, or without;
  * *both says which. */
-TP_NEVER_INLINE int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t limit,
-                           bool *both)
+TP_NEVER_INLINE int32_t count_alike(const uint32_t *above, const uint32_t *below,
+                                    int32_t limit, bool *both)
 {
     int32_t n = 1;
 
@@ -124,7 +124,8 @@ static void blend_outlines(const tp_frame *frame, const tp_gbuffer *tile, int32_
     }
 }
 
-TP_NEVER_INLINE void store_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y, void *to)
+TP_NEVER_INLINE void store_row(const tp_frame *frame, const tp_gbuffer *tile, int32_t y,
+                               void *to)
 {
     const int32_t count = tile->x1 - tile->x0;
     uint32_t *colours = tile->n + row_index(tile, y);

@@ -20,7 +20,7 @@ typedef struct {
     uint8_t             *pixels;        /* row to->y0 */
     bool even_sky;              /* true: the sky of mean rows is a mean */
     bool aligned;               /* true: rows of the tile begin at multiples of 4 bytes */
-    bool be;
+    bool be;                    /* true: the bytes of pixels are swapped */
 } packed_tile;
 
 static size_t row_index(const tp_gbuffer *tile, int32_t y)
@@ -73,8 +73,8 @@ TP_NEVER_INLINE void pack_even_columns(const packed_tile *t, uint16_t *to,
         WIDEN(to, half, run, 0);
 }
 
-TP_ALWAYS_INLINE void shade_packed_run(const packed_tile *t, const tp_shaders *list, uint16_t *to,
-                             tp_run *run)
+TP_ALWAYS_INLINE void shade_packed_run(const packed_tile *t, const tp_shaders *list,
+                                       uint16_t *to, tp_run *run)
 {
     tp_frame_shade_run(t->frame, list, !t->found, run);
     if (t->frame->shade.evens_only && list->kind == TP_LIST_FAST)
@@ -200,7 +200,7 @@ static packed_tile packed_tile_make(const tp_frame *frame, const tp_gbuffer *sam
         frame->scene->quality.sky == TP_RUNG_FAST
             && tp_frame_list(frame, TP_MARK_SKY)->count == 1,
         (((uintptr_t)row | tile->stride) & 3) == 0,
-        frame->config.format == TP_FORMAT_RGB565BE,
+        frame->config.format == TP_FORMAT_RGB565BE && TP_IS_LITTLE_ENDIAN,
     };
 }
 

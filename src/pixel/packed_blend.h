@@ -2,16 +2,20 @@
 /*
  * Means of packed rgb565 pixels, for quality.blending: of two rows, and of the even
  * columns of a row.  Two bodies have the same results: one pixel at a time, and two pixels
- * in a word for cores with the DSP extension; the words need little-endian memory.
+ * in a word.  Columns in words need little-endian memory; other machines take the first body
+ * for them.
  *
  * A mean of two levels is rounded up or down by its place in the picture, so that neither
- * rows nor columns get darker: between two rows by pairs of columns and of rows, between
- * columns by pairs of rows.  `be`, a literal: pixels have the upper byte first.
+ * rows nor columns get darker.  Pairs of columns and of rows take turns for the mean of two
+ * rows, pairs of rows for the mean of two columns.  `be`, a literal: the bytes of
+ * pixels are swapped, as rgb565be has them on little-endian machines.
  */
 #ifndef TP_PIXEL_PACKED_BLEND_H
 #define TP_PIXEL_PACKED_BLEND_H
 #include "base/base.h"
 #include "base/word_pairs.h"
+
+#define TP_IS_LITTLE_ENDIAN (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
 
 /* -- one or two pixels --------------------------------------------------------------- */
 
@@ -163,7 +167,7 @@ TP_ALWAYS_INLINE void packed_widen_run(uint16_t *to, const uint16_t *half, int32
 {
     const int32_t begin = -x & 15, end = count - ((x + count) & 15);
 
-    if (begin >= end) {
+    if (begin >= end || !TP_IS_LITTLE_ENDIAN) {
         plain_widen_columns(to, half, x, y, 0, count, count, be);
         return;
     }

@@ -125,8 +125,8 @@ static inline tp_fx tp_pool_step_lag(const tp_pool *pool, tp_fx lag)
     return ((tp_fx)left * TP_FX_ONE + lag) >> pool->interval;
 }
 
-/* Computes one tick: a step of the cells if it is due.  Accepts an r2q beyond the bound, set
- * by hand: charts show the result. */
+/* Computes one tick: a step of the cells if it is due.  Accepts a courant_sq_q10 beyond the
+ * bound, set by hand: charts show the result. */
 void tp_pool_step(tp_pool *pool);
 
 /* Returns height and slopes at a point (x, z) of the world, by bilinear interpolation

@@ -23,10 +23,10 @@ set tmargin 1.2
 @panels
 @log_x
 @log_y
-set yrange [0.14:4]
+set yrange [0.03:12]
 
 @first
-set xrange [95:560]
+set xrange [28:420]
 set xlabel "Cortex-M4 instructions of rows, a water pixel"
 set ylabel "off places in double, rms of 255" offset 0.5,0
 plot for [i=1:3] csv using (best("m4", i)):(column("colour_rms")) @front_line, \
@@ -40,9 +40,9 @@ plot for [i=1:3] csv using (best("m4", i)):(column("colour_rms")) @front_line, \
          with labels left offset int(word("0 -2 -5", i)),0.9 textcolor linetype i
 
 @second
-set ytics (0.2, 0.5, 1, 2)
-set xrange [85:400]
-set xtics (100, 200, 300)
+set ytics (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10)
+set xrange [28:400]
+set xtics (50, 100, 200)
 set xlabel "x86-64 instructions"
 plot for [i=1:3] csv using (of("x86", i)):"colour_rms" @points_, \
      for [i=1:3] "" using (taken("x86", i)):"colour_rms" @used_

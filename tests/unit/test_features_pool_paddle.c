@@ -11,6 +11,7 @@
 #include <cmocka.h>
 #include "tests/lib/measure.h"
 #include "tests/lib/pools.h"
+#include "tests/lib/scenes.h"
 #include "features/pool/pool_module.h"
 
 enum { COLS = 16, ROWS = 240 };
@@ -153,6 +154,39 @@ static void slow_steps_make_the_same_waves(void **state)
         }
 }
 
+/* In a world of slow steps the paddle waits for the cells: between two steps no cell
+ * changes. */
+static void paddles_of_a_world_push_with_the_steps(void **state)
+{
+    (void)state;
+    tp_scene s;
+    int moved = 0;
+
+    tp_scene_level(&s);
+    s.pool.cols = s.pool.rows = 40;
+    s.pool.courant = TP_FX(0.12);
+    s.pool.damping = 8;
+    s.pool.interval = 2;
+    s.pool.paddle = TP_FX(0.2);
+    s.field = s.pool;
+    tp_world *world = scene_world(&s, NULL);
+    for (int tick = 0; tick < 64; tick++) {
+        const tp_pool *pool[2] = { tp_world_pool(world), tp_world_field(world) };
+        const bool due = tp_pool_is_due(pool[0]);
+        const int32_t before[2] = { tp_pool_height_lsb(pool[0], 5, 0),
+                                    tp_pool_height_lsb(pool[1], 5, 0) };
+        assert_int_equal(due, tp_pool_is_due(pool[1]));
+        tp_world_step(&tp_program_all, world, &s, NULL);
+        for (int i = 0; i < 2; i++) {
+            const bool moves = tp_pool_height_lsb(pool[i], 5, 0) != before[i];
+            assert_true(due || !moves);
+            moved += moves;
+        }
+    }
+    assert_true(moved > 24);
+    free(world);
+}
+
 static void twice_the_height_is_twice_the_wave(void **state)
 {
     (void)state;
@@ -218,6 +252,7 @@ int main(void)
         cmocka_unit_test(the_sum_stays_0_where_walls_stand_in_a_paddle_s_way),
         cmocka_unit_test(waves_are_as_high_as_asked_for),
         cmocka_unit_test(slow_steps_make_the_same_waves),
+        cmocka_unit_test(paddles_of_a_world_push_with_the_steps),
         cmocka_unit_test(twice_the_height_is_twice_the_wave),
         cmocka_unit_test(before_a_sponge_waves_go_south),
         cmocka_unit_test(any_paddle_and_any_tick_are_taken),

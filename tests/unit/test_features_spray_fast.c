@@ -125,24 +125,30 @@ static void streaks_are_close_to_exact_ones(void **state)
     assert_true(rms < 6 && light > 0.9 && light < 1.1);
 }
 
-/* Specks behind the eye, under opaque water and beside the picture change nothing. */
+/* Specks behind the eye, under opaque water and beside the picture change nothing; above
+ * the water the second is seen. */
 static void hidden_specks_change_nothing(void **state)
 {
     static uint32_t bare[PIXELS], fast[PIXELS];
     static const tp_vec3 at[] = { { 0, 10 * TP_FX_ONE, 5 * TP_FX_ONE },
-                                  { 0, -TP_FX_ONE, -17 * TP_FX_ONE },
+                                  { 0, -TP_FX_ONE, -40 * TP_FX_ONE },
                                   { 90 * TP_FX_ONE, 10 * TP_FX_ONE, -9 * TP_FX_ONE } };
     tp_scene s = scene_of(3, TP_RUNG_FAST);
+    s.spray.size = TP_FX_ONE;
     tp_world *world = scene_world(&s, &none);
     tp_spray *spray = (tp_spray *)(uintptr_t)tp_world_spray(world);
+    tp_speck *list = (tp_speck *)(uintptr_t)tp_spray_list(spray);
 
     (void)state;
     draw(&s, world, bare);
     for (; spray->count < 3; spray->count++)
-        ((tp_speck *)(uintptr_t)tp_spray_list(spray))[spray->count] =
+        list[spray->count] =
             (tp_speck){ .place = at[spray->count], .last = at[spray->count] };
     draw(&s, world, fast);
     assert_memory_equal(bare, fast, sizeof bare);
+    list[1].place.y = list[1].last.y = TP_FX_ONE;
+    draw(&s, world, fast);
+    assert_memory_not_equal(bare, fast, sizeof bare);
     free(world);
 }
 

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <cmocka.h>
 #include "tests/lib/tilings.h"
 
@@ -114,6 +115,35 @@ static void a_fan_over_a_coast_is_drawn_again_the_same(void **state)
     }
 }
 
+/* Water over a floor keeps all swells at each rung of quality.geometry, so none of them
+ * makes the water rougher; open water differs. */
+static void a_coast_keeps_all_swells(void **state)
+{
+    int differ = 0;
+
+    (void)state;
+    for (int n = 0; n < 12; n++) {
+        tp_scene s = fan_scene(chance_double(&chance, 4, 30),
+                               chance_double(&chance, -30, -5));
+        s.floor.depth = n % 2 ? 0 : chance_fx(&chance, 2, 6);
+        s.water.rough = 1;
+        s.water.reflection = TP_FX(0.9);
+        tp_world *world = scene_world(&s, &none);
+        assert_non_null(world);
+        for (int k = 0; k < 2; k++) {
+            s.quality.geometry = k ? TP_RUNG_PAIRS : TP_RUNG_EXACT;     /* largest, all */
+            test_frame f = frame_of(&s, &none, &config);
+            frame_draw_picture(&f, world, picture[k]);
+            frame_free(&f);
+        }
+        const bool same = memcmp(picture[0], picture[1], sizeof picture[0]) == 0;
+        assert_true(same || n % 2);
+        differ += !same;
+        free(world);
+    }
+    assert_true(differ >= 4);
+}
+
 /* -- a camera that moves a little ---------------------------------------------------- */
 
 static int channel(int k, int i, int shift)
@@ -163,6 +193,7 @@ int main(void)
         cmocka_unit_test(water_has_no_hole_from_any_height),
         cmocka_unit_test(fans_are_drawn_the_same_in_tiles),
         cmocka_unit_test(a_fan_over_a_coast_is_drawn_again_the_same),
+        cmocka_unit_test(a_coast_keeps_all_swells),
         cmocka_unit_test(a_small_step_changes_no_more_than_with_a_dense_grid),
     };
     return cmocka_run_group_tests_name("frame/fan", tests, NULL, NULL);

@@ -264,6 +264,27 @@ static void the_drive_keeps_its_band(void **state)
     }
 }
 
+/* In a pool that stays too quiet, splashes grow once in 64 ticks at each interval. */
+static void the_drive_raises_its_splashes_as_soon(void **state)
+{
+    (void)state;
+    int32_t peak[3];
+
+    for (uint32_t interval = 0; interval <= 2; interval++) {
+        tp_pool_config c = slow_pool(TP_CELLS_16, TP_EDGES_TILE, interval);
+        c.drive_min = TP_FX(0.9);
+        c.drive_max = TP_FX(0.95);
+        c.drive_amplitude = TP_FX(0.01);
+        tp_pool *pool = pool_make(&c);
+        const int32_t first = pool->drive_peak;
+        pool_steps(pool, 640);
+        peak[interval] = pool->drive_peak;
+        assert_true(peak[interval] > 2 * first);
+        assert_int_equal(peak[interval], peak[0]);
+        free(pool);
+    }
+}
+
 static void only_every_nth_tick_moves_the_cells(void **state)
 {
     (void)state;
@@ -298,6 +319,7 @@ int main(void)
         cmocka_unit_test(slopes_follow_the_shown_surface),
         cmocka_unit_test(water_comes_to_exact_rest),
         cmocka_unit_test(the_drive_keeps_its_band),
+        cmocka_unit_test(the_drive_raises_its_splashes_as_soon),
         cmocka_unit_test(only_every_nth_tick_moves_the_cells),
     };
     return cmocka_run_group_tests_name("pool/interval", tests, NULL, NULL);

@@ -40,14 +40,16 @@ static void report_clamps(const scene_file *file, const tp_deep_water *deep)
     log_line("%s: steepness sum %s is clamped to 0.95", file->name, sum);
 }
 
-/* True if the noise exceeds an eighth of the range: 8-bit cells then show little but their
- * own rounding errors. */
+/* Returns the rounding noise of the steps of a pool at a Courant number of a tick, LSB,
+ * 16.16. */
 static int64_t step_noise(tp_fx courant, const tp_scene_pool *pool)
 {
     return tp_pool_rounding_noise(courant * (1 << pool->interval),
                                   (uint32_t)(pool->damping - pool->interval));
 }
 
+/* True if the noise exceeds an eighth of the range: 8-bit cells then show little but their
+ * own rounding errors. */
 static bool is_noisy(tp_fx courant, const tp_scene_pool *pool)
 {
     return step_noise(courant, pool) > 16 * TP_FX_ONE;

@@ -23,7 +23,7 @@
 
 typedef struct {
     uint32_t row, apart;        /* the rows are `row` and `row + apart` */
-    int32_t  push;              /* maximum per tick, LSB */
+    int32_t  push;              /* maximum per step, LSB */
 } stroke;
 
 /* Returns om / 2 of a tick, a turn.  The period is at least 0.1 s, so the result is below

@@ -95,8 +95,8 @@ static bool is_in_picture(const tp_frame *frame, const tp_speck_place *s)
 }
 
 /* Projects a speck.  Returns false if it is not in the picture. */
-TP_NEVER_INLINE bool project_speck(const tp_frame *frame, const tp_speck *speck, bool through_water,
-                          tp_speck_place *to)
+TP_NEVER_INLINE bool project_speck(const tp_frame *frame, const tp_speck *speck,
+                                   bool through_water, tp_speck_place *to)
 {
     const tp_projection *projection = &frame->projection;
     tp_view_vertex view, later;

@@ -246,13 +246,14 @@ TP_ALWAYS_INLINE tp_quick_view tp_quick_view_sample(const tp_shade *shade,
                                  : tp_quick_blinn_sample(shade, row, x);
 }
 
-/* Returns what a row of the picture adds to u and v of places in the map of a cube's sky,
- * parts of a cell, Q22.  Four rows take turns, and 0 and 2, 1 and 3 are opposite: water
- * without ripples would show the map's cells as facets. */
+/* Offset of places in the map of a cube's sky, cells, Q22. */
 typedef struct {
     int32_t u, v;
 } tp_quick_offset;
 
+/* Returns the offset of a row of the picture, up to 3/8 of a cell.  Four offsets take turns;
+ * those of rows 0 and 2, 1 and 3 are opposite.  Without them water without ripples would
+ * show the map's cells as facets. */
 TP_ALWAYS_INLINE tp_quick_offset tp_quick_row_offset(int32_t y)
 {
     const int32_t eighth = y & 2 ? 1 << 19 : -(1 << 19);

@@ -137,7 +137,8 @@ static bool is_priced(const tp_module_conditions *conditions)
 {
     const bool sky = conditions->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
 
-    return tp_exact_hdr_share(conditions->scene) <= 0 && (tp_ripple_enabled(conditions) || !sky)
+    return tp_exact_hdr_share(conditions->scene) <= 0
+           && (tp_ripple_enabled(conditions) || !sky)
            && !(conditions->above & TP_MODULE_UNPRICED);
 }
 
