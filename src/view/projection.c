@@ -96,7 +96,8 @@ void tp_view_vertex_project(const tp_projection *projection, const tp_view_verte
 }
 
 /* Returns the plane through the eye and the screen column or row `edge_distance` px
- * from the centre: normal = side x focal + ahead x half; the inside faces the centre. */
+ * from the centre: normal = side x focal + ahead x half; the inside faces the centre.  Two
+ * units more make up for the rounding, where a pixel near the eye is smaller than a unit. */
 static tp_plane side_plane(const tp_projection *projection, tp_dir3 side, int sign,
                            uint32_t edge_distance)
 {
@@ -106,7 +107,7 @@ static tp_plane side_plane(const tp_projection *projection, tp_dir3 side, int si
         (int32_t)(((int64_t)sign * side.x * f + (int64_t)a.x * h) >> 28),
         (int32_t)(((int64_t)sign * side.y * f + (int64_t)a.y * h) >> 28),
         (int32_t)(((int64_t)sign * side.z * f + (int64_t)a.z * h) >> 28));
-    return (tp_plane){ n, -tp_dot_dir(projection->eye, n) };
+    return (tp_plane){ n, 2 - tp_dot_dir(projection->eye, n) };
 }
 
 void tp_projection_planes(const tp_projection *projection, uint32_t width, uint32_t height,

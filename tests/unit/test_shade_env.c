@@ -49,11 +49,13 @@ static ref_colour shown(ref_light light, const tp_shade *s)
 
 /* Every second span looks at the light.  Entries of gradients and glow, two mixes and the
  * tables' steps give at most a level each; in HDR an alpha of 255 is 16 whites, so a step
- * of alpha may be 16 levels. */
+ * of alpha may be 16 levels.  Below the horizon the sky darkens in steps of 1/64: four levels
+ * more. */
 static void domes_follow_their_formulas(void **state)
 {
     (void)state;
-    colour_error off = { .what = "dome" }, hdr = { .what = "dome, HDR" };
+    colour_error off = { .what = "dome" }, hdr = { .what = "dome, HDR" },
+                 low = { .what = "below the horizon" };
 
     for (int n = 0; n < 400; n++) {
         tp_shade s = shade_any(&chance);
@@ -75,13 +77,15 @@ static void domes_follow_their_formulas(void **state)
             const ref_light want = dome_at(&s, (ref_dir){ -v.x, -v.y, -v.z }, &edge);
             if (edge)
                 continue;
-            colour_error_add(&off, r.run.colour[i], want.colour);
+            colour_error_add(v.y > 0 ? &low : &off, r.run.colour[i], want.colour);
             colour_error_add(&hdr, bright.run.colour[i], shown(want, &s));
         }
     }
     colour_error_print(&off);
+    colour_error_print(&low);
     colour_error_print(&hdr);
     assert_true(off.largest <= 8 && colour_error_rms(&off) <= 1.5);
+    assert_true(low.largest <= 12 && colour_error_rms(&low) <= 1.5);
     assert_true(hdr.largest <= 20 && colour_error_rms(&hdr) <= 1.5);
 }
 
