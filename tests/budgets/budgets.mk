@@ -37,3 +37,5 @@ $(PROGRAMS:%=%.o): %.o: %.c $(BUILD)/flags
 $(PROGRAMS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o $(BOARD_REST)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 .PHONY: programs
+$(BUILD)/tests/budgets/rung_samples: $(BUILD)/tests/budgets/rung_samples.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+/* Walks from one set of rungs to cheaper ones, along the lower edge of all sets by cost and
+ * error.
+ *
+ * Costs of parts multiply and errors add, so the set with the least error for its cost
+ * differs from its neighbour by one kind, or by one kind and the rung that it needs: the
+ * walk compares all of these changes at every step and takes the one that adds the least
+ * error per instruction saved. */
+#include "quality/rung_sets.h"
+#include "base/base.h"
+#include "quality/rung_prices.h"
+
+/* True if the rung has a measured price and the view can show it. */
+static bool is_known(const tp_view_costs *view, int kind, uint8_t rung)
+{
+    const tp_rung_effect *e = &tp_rung_effects[kind];
+
+    if (kind == TP_KIND_VISIBILITY && !view->estimate.fits[rung])
+        return false;
+    if (e->needs_rung && e->needs_kind == TP_KIND_VISIBILITY
+        && !view->estimate.fits[e->needs_rung])
+        return false;
+    return rung == 0 || tp_rung_prices[kind][rung].factor > 0;
+}
+
+/* Returns the set with another rung of a kind, and with the rungs that it needs. */
+static tp_rung_set changed(const tp_view_costs *view, tp_rung_set set, int kind,
+                           uint8_t rung, uint32_t open)
+{
+    const tp_rung_effect *e = &tp_rung_effects[kind];
+
+    set.of[kind] = rung;
+    if (rung && e->needs_rung && open >> e->needs_kind & 1)
+        set.of[e->needs_kind] = e->needs_rung;
+    if (set.of[TP_KIND_SHADING] && view->clear && open >> TP_KIND_refraction & 1
+        && (kind == TP_KIND_SHADING || e->needs_kind == TP_KIND_SHADING))
+        set.of[TP_KIND_refraction] = 1;
+    return set;
+}
+
+/* True if a step of `save` instructions that adds `more` error is better than the best. */
+static bool is_better(uint64_t more, uint64_t save, uint64_t best_more, uint64_t best_save)
+{
+    if (more == 0 && best_more == 0)
+        return save > best_save;
+    return more * (best_save >> 8) < best_more * (save >> 8);
+}
+
+/* Takes the best step down from `set`; returns false if there is none. */
+static bool take_cheaper(const tp_view_costs *view, tp_rung_set *set, uint32_t open)
+{
+    const tp_set_price here = tp_set_price_estimate(view, set);
+    tp_rung_set best = *set;
+    uint64_t best_more = 1, best_save = 0;      /* 1 / 0: infinite */
+
+    for (int k = 0; k < TP_RUNG_KINDS; k++) {
+        const uint8_t count = (uint8_t)tp_rung_kind_count(k);
+        for (uint8_t r = 0; open >> k & 1 && r < count; r++) {
+            if (r == set->of[k] || !is_known(view, k, r))
+                continue;
+            const tp_rung_set to = changed(view, *set, k, r, open);
+            const tp_set_price price = tp_set_price_estimate(view, &to);
+            if (price.cost + 256 > here.cost)
+                continue;
+            const uint64_t more = price.square > here.square
+                                      ? price.square - here.square : 0;
+            if (is_better(more, here.cost - price.cost, best_more, best_save)) {
+                best = to;
+                best_more = more;
+                best_save = here.cost - price.cost;
+            }
+        }
+    }
+    *set = best;
+    return best_save > 0;
+}
+
+void tp_set_walk_make(tp_set_walk *walk, const tp_view_costs *view, tp_rung_set from,
+                      uint32_t open)
+{
+    tp_rung_set set = from;
+
+    walk->count = 0;
+    do {
+        walk->set[walk->count] = set;
+        walk->price[walk->count++] = tp_set_price_estimate(view, &set);
+    } while (walk->count < TP_SET_STEPS && take_cheaper(view, &set, open));
+}
+
+void tp_set_refine(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
+                   uint64_t most)
+{
+    for (;;) {
+        const tp_set_price here = tp_set_price_estimate(view, set);
+        tp_rung_set best = *set;
+        uint64_t least = here.square;
+        for (int k = 0; k < TP_RUNG_KINDS; k++)
+            for (uint8_t r = 0; open >> k & 1 && r < set->of[k]; r++) {
+                const tp_rung_set to = changed(view, *set, k, r, open);
+                const tp_set_price price = tp_set_price_estimate(view, &to);
+                if (is_known(view, k, r) && price.cost <= most && price.square < least) {
+                    best = to;
+                    least = price.square;
+                }
+            }
+        if (least == here.square)
+            return;
+        *set = best;
+    }
+}

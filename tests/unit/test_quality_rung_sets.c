@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/* Sets of rungs: kinds and rows agree with the table of parameters; prices are those of the
+ * plan; walks get cheaper at each step, and their sets fit the scene. */
+#include <stdarg.h>
+#include <stddef.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <cmocka.h>
+#include "quality/rung_prices.h"
+#include "tests/lib/scenes.h"
+#include "world/text.h"
+
+static uint64_t chance;
+static const tp_assets none;
+static tp_set_walk walk;
+
+static tp_view_costs view_of(const tp_scene *scene)
+{
+    const tp_plan_input in = { tp_program_all.modules, scene, &none, 320, 240 };
+
+    return tp_view_costs_make(&tp_prices_measured, &in);
+}
+
+/* A scene of three waves with glints, a sky and layers, from a camera at random. */
+static tp_scene swells_any(void)
+{
+    tp_scene s = scene_plain();
+
+    s.camera.y = chance_fx(&chance, 1, 12);
+    s.camera.pitch = chance_fx(&chance, -40, 0);
+    s.camera.heading = chance_fx(&chance, -180, 180);
+    s.sky.haze = chance_int(&chance, 0, 1) ? 2000 * TP_FX_ONE : 0;
+    s.water.reflection = TP_FX(0.6);
+    s.grid.vertices = chance_int(&chance, 500, 6000);
+    return s;
+}
+
+/* -- rows ---------------------------------------------------------------------------- */
+
+static void every_kind_has_a_row_of_as_many_rungs(void **state)
+{
+    (void)state;
+    for (int k = 0; k < TP_RUNG_KINDS; k++) {
+        const char *name = tp_rung_kind_row(k);
+        const tp_param *row = tp_param_find(name, strlen(name));
+        assert_non_null(row);
+        assert_in_range(tp_rung_kind_count(k), 2, TP_KIND_RUNGS_MOST);
+        if (k == TP_KIND_VISIBILITY)            /* walk has no price */
+            assert_int_equal(row->high, tp_rung_kind_count(k) + 1);
+        else if (k < TP_KIND_mirror_size)
+            assert_int_equal(row->high, tp_rung_kind_count(k));
+    }
+}
+
+static void a_set_names_its_rows_and_is_read_from_them(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 200; n++) {
+        tp_rung_set set = { .of = { 0 } };
+        tp_scene s = scene_plain();
+        uint32_t open;
+        for (int k = 0; k < TP_KIND_mirror_size; k++)
+            set.of[k] = (uint8_t)chance_int(&chance, 0, (int)tp_rung_kind_count(k) - 1);
+        tp_rung_set_apply(&s, &set);
+        const tp_rung_set named = tp_rung_set_named(&s, false, &open);
+        assert_int_equal(open, 0);
+        assert_memory_equal(named.of, set.of, TP_KIND_mirror_size);
+    }
+}
+
+static void kinds_of_auto_are_open(void **state)
+{
+    (void)state;
+    tp_scene s = scene_plain();
+    uint32_t open;
+
+    memset(&s.quality.visibility, 0,
+           sizeof s.quality - offsetof(tp_scene_quality, visibility));
+    s.quality.foam = TP_RUNG_FAST;
+    const tp_rung_set set = tp_rung_set_named(&s, true, &open);
+    assert_int_equal(open, ((1u << TP_RUNG_KINDS) - 1) & ~(1u << TP_KIND_foam));
+    assert_int_equal(set.of[TP_KIND_foam], 1);
+    tp_rung_set_named(&s, false, &open);
+    assert_int_equal(open >> TP_KIND_mirror_size, 0);
+}
+
+/* -- prices -------------------------------------------------------------------------- */
+
+/* The parts of a view sum to the plan's cost of the exact rungs, within the pixels that
+ * objects hide and parts of a negative price; the exact set has no error. */
+static void parts_sum_to_the_plan(void **state)
+{
+    static const tp_rung_set exact = { .of = { 0 } };
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = swells_any();
+        s.quality.visibility = TP_VISIBILITY_TRIANGLES;
+        s.quality.shading = TP_SHADING_EXACT;
+        s.quality.rate = TP_RATE_FULL;
+        const tp_view_costs view = view_of(&s);
+        const tp_plan_report plan = tp_plan_make(&s, &none, 320, 240);
+        uint64_t sum = 0;
+        for (int p = 0; p < TP_PART_COUNT; p++)
+            sum += view.part[0][p];
+        assert_in_range(sum, plan.total.cost * 98 / 100, plan.total.cost * 102 / 100);
+        assert_true(tp_set_price_estimate(&view, &exact).square == 0);
+    }
+}
+
+/* -- walks --------------------------------------------------------------------------- */
+
+static void each_step_is_cheaper(void **state)
+{
+    uint32_t steps = 0;
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = swells_any();
+        const tp_view_costs view = view_of(&s);
+        const tp_rung_set exact = { .of = { 0 } };
+        tp_set_walk_make(&walk, &view, exact, ~0u >> (32 - TP_RUNG_KINDS));
+        assert_true(walk.count >= 4 && walk.count <= TP_SET_STEPS);
+        assert_memory_equal(&walk.set[0], &exact, sizeof exact);
+        for (uint32_t i = 1; i < walk.count; i++) {
+            assert_true(walk.price[i].cost < walk.price[i - 1].cost);
+            assert_true(view.estimate.fits[walk.set[i].of[TP_KIND_VISIBILITY]]);
+        }
+        assert_true(walk.price[walk.count - 1].cost < walk.price[0].cost * 3 / 4);
+        steps += walk.count;
+    }
+    printf("    %u steps of 40 scenes\n", (unsigned)steps);
+}
+
+static void kinds_that_are_not_open_stay(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = swells_any();
+        const tp_view_costs view = view_of(&s);
+        const tp_rung_set exact = { .of = { 0 } };
+        const uint32_t open = (uint32_t)random_next(&chance) & ~(1u << TP_KIND_SHADING);
+        tp_set_walk_make(&walk, &view, exact, open);
+        for (int k = 0; k < TP_RUNG_KINDS; k++)
+            if (!(open >> k & 1))
+                assert_int_equal(walk.set[walk.count - 1].of[k], 0);
+    }
+}
+
+static void refined_sets_err_less_and_stay_within_the_cost(void **state)
+{
+    uint32_t refined = 0;
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = swells_any();
+        const tp_view_costs view = view_of(&s);
+        const tp_rung_set exact = { .of = { 0 } };
+        const uint32_t open = ~0u >> (32 - TP_RUNG_KINDS);
+        tp_set_walk_make(&walk, &view, exact, open);
+        const uint32_t at = (uint32_t)chance_int(&chance, 1, (int)walk.count - 1);
+        const uint64_t most = walk.price[at].cost + walk.price[at].cost / 10;
+        tp_rung_set set = walk.set[at];
+        tp_set_refine(&view, &set, open, most);
+        const tp_set_price price = tp_set_price_estimate(&view, &set);
+        assert_true(price.cost <= most && price.square <= walk.price[at].square);
+        refined += price.square < walk.price[at].square;
+    }
+    printf("    %u of 40 refined\n", (unsigned)refined);
+}
+
+int main(void)
+{
+    chance = random_seed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_kind_has_a_row_of_as_many_rungs),
+        cmocka_unit_test(a_set_names_its_rows_and_is_read_from_them),
+        cmocka_unit_test(kinds_of_auto_are_open),
+        cmocka_unit_test(parts_sum_to_the_plan),
+        cmocka_unit_test(each_step_is_cheaper),
+        cmocka_unit_test(kinds_that_are_not_open_stay),
+        cmocka_unit_test(refined_sets_err_less_and_stay_within_the_cost),
+    };
+    return cmocka_run_group_tests_name("quality/rung_sets", tests, NULL, NULL);
+}
