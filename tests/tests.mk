@@ -144,10 +144,10 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \
 	    $(filter-out $(SAN_UNIT) $(SLOW) $(SOAKED) $(QUICK),$(UNIT)) $(call at_san,$(GOLDEN)) \
-	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape \
+	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape ladder \
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count \
-                effects) \
+                effects rung-prices rung-judge board-rungs) \
 	    tests/charts/same.sh
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \
@@ -165,8 +165,8 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh tests/accuracy/rungs.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
-                effects) \
-	    $(patsubst %,tests/host/%.sh,threads saves generators); scripts=$$?; \
+                effects rung-judge board-rungs) \
+	    $(patsubst %,tests/host/%.sh,threads saves generators ladder); scripts=$$?; \
 	$(SOAK) TP_BUILD=build/san tests/run.sh build/log/soak-sanitized \
 	    $(call at_san,$(sort $(SAN_SOAK) $(MORE_ROUNDS))) && exit $$scripts
 fuzzers: $(FUZZ)

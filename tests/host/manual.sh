@@ -124,7 +124,7 @@ if command -v bash >/dev/null; then
     completes 'tidepool render pond --set = water.filter = l' linear
     completes 'tidepool render pond --set boat.mesh = own' own.ini
     completes 'tidepool render pond --set wave0.length = 1' ''
-    completes 'tidepool render pond --hash --st' '--strip --stream --strict --stats'
+    completes 'tidepool render pond --hash --st' '--step --strip --stream --strict --stats'
     completes 'tidepool sail --s' ''
     sed -i '1iCOMP_WORDBREAKS=${COMP_WORDBREAKS//=}' drive.bash
     completes 'tidepool render --format=i' --format=i1

@@ -4,6 +4,7 @@
 #define TP_APP_CLI_ARGS_H
 #include <stdbool.h>
 #include <stdint.h>
+#include "app/scene/boards.h"
 #include "app/scene/machine.h"
 #include "tidepool/frame.h"
 
@@ -24,6 +25,11 @@ typedef struct {
     int32_t      visibility;        /* tp_visibility; auto: the scene's value */
     const char  *rung;              /* rungs of all kinds and effects; NULL: the scene's */
     bool         hash, stats, csv;
+    bool         ladder;            /* print the steps of the scene's ladder */
+    const plan_board *board;             /* plan for it; NULL: none */
+    uint32_t     fps;               /* pictures a second on the board; 0: not given */
+    uint32_t     step;              /* step of the ladder to draw, if `stepped` */
+    bool         stepped;
     bool         strict;            /* refuse a mesh with missing or faulty files */
     bool         quiet;             /* no warnings on loading; set by no option */
     bool         stream;            /* stream grid vertices; `memory` may force it */

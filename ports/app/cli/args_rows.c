@@ -7,6 +7,7 @@
 #include "app/scene/frame_renderer.h"
 #include "app/scene/scene_file.h"
 #include "pixel/pixel.h"
+#include "quality/rung_sets.h"
 #include "tools/bench/bench_scene.h"
 #include "world/text.h"
 
@@ -138,6 +139,24 @@ static const char *read_rung(options *o, const char *value)
     return scene_file_knows_rung(value) ? NULL : "exact, planned or fast";
 }
 
+static const char *read_board(options *o, const char *value)
+{
+    o->board = board_find(value);
+    return o->board ? NULL : BOARD_NAMES;
+}
+
+static const char *read_fps(options *o, const char *value)
+{
+    return read_count(value, NULL, 1, 240, &o->fps) ? NULL : "pictures a second, 1..240";
+}
+
+static const char *read_step(options *o, const char *value)
+{
+    o->stepped = true;
+    return read_count(value, NULL, 0, TP_SET_STEPS - 1, &o->step)
+               ? NULL : "a step that `tidepool plan SCENE --ladder` lists";
+}
+
 static const char *read_machine(options *o, const char *value)
 {
     size_t count;
@@ -204,6 +223,7 @@ SWITCH(no_panel)
 SWITCH(no_input)
 SWITCH(stats)
 SWITCH(csv)
+SWITCH(ladder)
 SWITCH(help)
 SWITCH(write)
 WORD(out, "a file name")
@@ -276,6 +296,13 @@ const option_row args_rows[] = {
     { "--format", "FORMAT", FOR_BAKE, read_format,
       "xrgb8888 rgb565 rgb565be p8 l8 i1; rgb565 by default" },
     { "--csv", NULL, FOR_PLAN | FOR_BENCH, read_csv, "print the table as CSV" },
+    { "--ladder", NULL, FOR_PLAN, read_ladder,
+      "list the steps from the exact picture to the cheapest" },
+    { "--board", "NAME", FOR_PLAN, read_board,
+      "find the step that the board draws in real time" },
+    { "--fps", "N", FOR_PLAN, read_fps, "pictures a second on the board; by default 10" },
+    { "--step", "N", FOR_RENDER | FOR_BAKE, read_step,
+      "draw step N of the scene's ladder" },
     { "--band", "ROWS", RARE | FOR_BAKE, read_band,
       "rows of the program's tiles, 16 by default" },
     { "--strip", "COLS", RARE | FOR_BAKE, read_strip,

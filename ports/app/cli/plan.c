@@ -11,6 +11,7 @@
 #include "command_help.h"
 #include "commands.h"
 #include "frame/tools.h"
+#include "plan_ladder.h"
 
 #define BAND 16                 /* rows of a tile, as on a board */
 #define MHZ  168                /* clock, MHz, and cycles per instruction of the estimate */
@@ -162,7 +163,11 @@ static int run(const options *o)
     plan  p = { .loaded = &s };
     int code = loaded_scene_open(&s, o);
 
-    if (!code) {
+    if (!code && o->board) {
+        code = plan_board_print(&s, o);
+    } else if (!code && o->ladder) {
+        code = plan_ladder_print(&s, o);
+    } else if (!code) {
         p.sheet = plan_sheet_make(&s);
         p.world = world_rungs_find(&s);
         if (o->csv)
@@ -187,6 +192,10 @@ int plan_command(int argc, char **argv)
 
     if (!o.band && !o.strip)
         o.band = BAND;
+    if ((o.board || o.ladder) && !o.sized) {    /* a board's usual panel */
+        o.width = 320;
+        o.height = 240;
+    }
     if (!code && o.help) {
         command_help_print(FOR_PLAN);
     } else if (!code) {

@@ -147,6 +147,10 @@ int render_command(int argc, char **argv)
     memset(&r, 0, sizeof r);
     int code = args_read(&o, FOR_RENDER, argc, argv);
     r.report = o.out && strcmp(o.out, "-") == 0 ? stderr : stdout;
+    if (o.stepped && !o.sized) {        /* steps are planned for a board's panel */
+        o.width = 320;
+        o.height = 240;
+    }
     if (!code && o.help)
         command_help_print(FOR_RENDER);
     else if (!code)

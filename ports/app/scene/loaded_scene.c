@@ -7,6 +7,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "pool/pool.h"
+#include "set_ladder.h"
 #include "world/text.h"
 #include "world/world.h"
 
@@ -93,6 +94,8 @@ int loaded_scene_load(loaded_scene *s, const options *o)
     int code = loaded_scene_read(&s->file, o);
     if (!code)
         code = loaded_scene_load_assets(&s->assets, &s->file, o);
+    if (!code && o->stepped)
+        code = set_ladder_take(s, o, o->step);
     if (!code)
         code = loaded_scene_make_world(s);
     if (!code && !o->quiet)

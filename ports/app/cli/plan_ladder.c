@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+/* Prints the ladder of a scene, and the step for a board: what a board draws in real time,
+ * and what the scene gives up for it. */
+#include "plan_ladder.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include "app/scene/world_rungs.h"
+#include "ladder_pictures.h"
+
+enum { TICKS_A_SECOND = 60, FPS = 10 };
+
+static double millions(uint64_t n)
+{
+    return (double)n / 1e6;
+}
+
+/* -- the ladder ---------------------------------------------------------------------- */
+
+static void print_csv(const set_ladder *ladder, uint64_t tick)
+{
+    puts("step,choices,frame_m,tick_m,ram,added,total,db");
+    for (uint32_t i = 0; i < ladder->count; i++) {
+        const ladder_step *s = &ladder->step[i];
+        printf("%u,%s,%.2f,%.2f,%zu,%.2f,%.2f,%.1f\n", (unsigned)i, s->choices,
+               millions(s->frame), millions(tick), s->ram, s->added, s->total, s->db);
+    }
+}
+
+/* Returns the choice that the step adds to the one before: its last difference. */
+static void print_change(const ladder_step *before, const ladder_step *now)
+{
+    for (int k = 0; k < TP_RUNG_KINDS; k++)
+        if (before->set.of[k] != now->set.of[k])
+            printf(" %s", tp_rung_kind_row(k));
+    puts("");
+}
+
+static void print_steps(const set_ladder *ladder, const loaded_scene *s, uint64_t tick)
+{
+    printf("%s: a tick takes %.2f M instructions of a Cortex-M4 at every step\n\n"
+           "step  M instr  RAM KB  added  total     dB  what is cheaper\n",
+           s->file.name, millions(tick));
+    for (uint32_t i = 0; i < ladder->count; i++) {
+        const ladder_step *l = &ladder->step[i];
+        printf("%4u %8.2f %7zu %6.2f %6.2f %6.1f ", (unsigned)i, millions(l->frame),
+               l->ram / 1024, l->added, l->total, l->db);
+        if (i)
+            print_change(&ladder->step[i - 1], l);
+        else
+            puts(" the exact picture");
+    }
+    puts("\nadded: rms of 255 against the exact picture; total: against the reference at\n"
+         "16 samples; ticks 60 and 300.  `tidepool render SCENE --step N` draws a step.");
+}
+
+static uint64_t tick_estimate(const loaded_scene *s)
+{
+    tick_cost tick = { 0 };
+
+    return tick_cost_estimate(&s->file.scene, &s->assets.names, &tick) ? tick.mean : 0;
+}
+
+int plan_ladder_print(const loaded_scene *s, const options *o)
+{
+    static set_ladder ladder;
+    const uint64_t tick = tick_estimate(s);
+
+    set_ladder_find(&ladder, s, o->width, o->height);
+    const int code = ladder_pictures_measure(ladder.step, ladder.count, o, true);
+    if (!code && o->csv)
+        print_csv(&ladder, tick);
+    else if (!code)
+        print_steps(&ladder, s, tick);
+    return code;
+}
+
+/* -- a board ------------------------------------------------------------------------- */
+
+/* Prints the rows of a step, some in a line. */
+static void print_choices(const char *text)
+{
+    int column = 0;
+
+    for (; *text; text++) {
+        if (*text == ' ' && column > 60) {
+            printf("\n   ");
+            column = 0;
+        }
+        putchar(*text);
+        column++;
+    }
+    puts("");
+}
+
+static void print_board_csv(const plan_board *b, uint32_t fps, uint64_t tick,
+                            const ladder_step *step, bool real_time)
+{
+    puts("board,fps,real_time,choices,frame_m,tick_m,ram,added,db");
+    printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%.2f,%.1f\n", b->name, (unsigned)fps,
+           real_time ? "yes" : "no", step->choices, millions(step->frame), millions(tick),
+           step->ram, step->added, step->db);
+}
+
+/* Prints what makes ticks cheaper, where the scene's values allow it. */
+static void print_world(const loaded_scene *s)
+{
+    const world_rungs world = world_rungs_find(s);
+
+    if (world.count)
+        printf("cheaper ticks, by values of the scene (--set):\n    %s: %.2f M\n",
+               world.rung[world.count - 1].text,
+               millions(world.rung[world.count - 1].cost.mean));
+}
+
+static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
+                        uint64_t tick, const ladder_step *step, bool real_time)
+{
+    const plan_board *b = o->board;
+    const uint64_t left = b->speed > TICKS_A_SECOND * tick
+                              ? b->speed - TICKS_A_SECOND * tick : 0;
+
+    printf("%s on %s (%s, %u MHz, %.0f M instructions a second; %s)\n"
+           "multiplies %s; %s\n\n",
+           s->file.name, b->name, b->processor, (unsigned)b->mhz, millions(b->speed),
+           b->speed_from, b->multiplier, b->source);
+    printf("real time, %u pictures and %d ticks a second: %s; at most %.1f pictures\n",
+           (unsigned)fps, TICKS_A_SECOND, real_time ? "yes" : "no",
+           step->frame ? (double)left / (double)step->frame : 0);
+    printf("a picture %.2f M, a tick %.2f M instructions; off by %.2f of 255, %.1f dB\n",
+           millions(step->frame), millions(tick), step->added, step->db);
+    printf("RAM %zu of %u KB in tiles of %ux%u%s\n", step->ram / 1024,
+           (unsigned)b->ram / 1024, (unsigned)o->strip ? (unsigned)o->strip
+                                                       : (unsigned)o->width,
+           (unsigned)o->band,
+           step->ram > b->ram ? ": too much; --band and --strip save some" : "");
+    printf("%s\n    ", step->choices[0] ? "gives up:" : "gives up nothing");
+    print_choices(step->choices);
+    if (!real_time)
+        print_world(s);
+}
+
+int plan_board_print(const loaded_scene *s, const options *o)
+{
+    static set_ladder ladder;
+    const plan_board *b = o->board;
+    const uint32_t fps = o->fps ? o->fps : FPS;
+    const uint64_t tick = tick_estimate(s), ticks = TICKS_A_SECOND * tick;
+    const uint64_t most = b->speed > ticks ? (b->speed - ticks) / fps : 0;
+
+    set_ladder_find(&ladder, s, o->width, o->height);
+    ladder_step step = set_ladder_within(&ladder, s, o->width, o->height, most);
+    const int code = ladder_pictures_measure(&step, 1, o, false);
+    const bool real_time = step.frame <= most;
+    if (!code && o->csv)
+        print_board_csv(b, fps, tick, &step, real_time);
+    else if (!code)
+        print_board(s, o, fps, tick, &step, real_time);
+    return code;
+}

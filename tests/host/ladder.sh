@@ -1,0 +1,119 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# tidepool plan --ladder and --board: the printed errors are those of the pictures that
+# `render --step` draws, the total is that against the reference; costs fall from step to
+# step; choices drawn by --set are the step's picture; a board gets the step that it holds.
+# With TP_SOAK set every step of three scenes is drawn, else the first, the last and one
+# between.
+#     ladder.sh PROGRAM
+. "$(dirname "$0")/../lib/script.sh"
+
+program=$(realpath "$1")
+rms=build/host/tests/host/picture_rms reference=build/host/reference
+size=96x72
+check "what measures the pictures builds" alone build -s $rms $reference
+[ "$failed" = 0 ] || exit 1
+
+drawn()         # NAME OPTION...: draws ticks 60 and 300 of the scene
+{
+    name=$1
+    shift
+    for tick in 60 300; do
+        "$program" render "$scene" --size $size --frames $tick:$tick "$@" \
+            --out "$scratch/$name-$tick.png" || return 1
+    done
+}
+# listed STEP COLUMN: a cell of the scene's ladder
+listed() { awk -F, -v step="$1" -v column="$2" '$1 == step { print $column }' "$scratch/csv"; }
+
+off()           # NAME OF: rms and dB of two pairs of pictures
+{
+    $rms "$scratch/$2-60.png" "$scratch/$1-60.png" "$scratch/$2-300.png" \
+        "$scratch/$1-300.png"
+}
+falls()         # the first step is exact, each further one is cheaper
+{
+    head -n 1 "$scratch/csv" |
+        grep -qx 'step,choices,frame_m,tick_m,ram,added,total,db' &&
+        awk -F, 'NR == 2 && ($1 != 0 || $2 != "" || $6 != 0 || $8 != 99) { exit bad = 1 }
+            NR > 2 && ($1 != last + 1 || $3 > cost) { print; exit bad = 1 }
+            NR > 1 { last = $1; cost = $3; if (NF != 8) exit bad = 1 }
+            END { exit bad || NR < 5 }' "$scratch/csv"
+}
+is_printed()    # STEP: added and dB
+{
+    drawn "step" --step "$1" && is "$(off step exact)" "$(listed "$1" 6) $(listed "$1" 8)"
+}
+is_total()      # STEP: rms against the reference's pictures
+{
+    drawn "step" --step "$1" && set -- "$1" "$(off step reference)" &&
+        is "${2% *}" "$(listed "$1" 7)"
+}
+is_by_set()     # STEP: its choices, as settings, draw the same pictures
+{
+    set -- "$1" $(listed "$1" 2 | sed 's/ / --set /g; s/^./--set &/')
+    step=$1
+    shift
+    drawn set --rung exact "$@" && drawn step --step "$step" &&
+        is "$(off set step)" "0.00 99.0"
+}
+referenced()    # the reference's pictures
+{
+    for tick in 60 300; do
+        $reference "$scene" --size $size --frame $tick \
+            --out "$scratch/reference-$tick.png" >/dev/null || return 1
+    done
+}
+
+for scene in minimal lava tank; do
+    check "$scene: its ladder is printed" sh -c \
+        "'$program' plan $scene --ladder --csv --size $size >'$scratch/csv'"
+    check "$scene: from the exact picture down, each step cheaper" falls
+    check "$scene: the exact picture is drawn" drawn exact --rung exact
+    last=$(($(wc -l <"$scratch/csv") - 2))
+    for step in $( [ -n "$TP_SOAK" ] && seq 0 $last || echo 0 $((last / 2)) $last); do
+        check "$scene, step $step: the errors are those printed" is_printed "$step"
+    done
+    check "$scene, step $last: --set with its choices draws it" is_by_set $last
+done
+check "the reference draws it" referenced
+check "the total is the error against the reference" is_total 2
+
+# -- boards ---------------------------------------------------------------------------
+
+planned()       # BOARD FPS: its line
+{
+    "$program" plan tank --board "$1" --fps "$2" --csv | tail -n 1
+}
+holds()         # BOARD FPS SPEED (M instructions a second): the line keeps real time
+{
+    planned "$1" "$2" | awk -F, -v speed="$3" '
+        { exit !($3 == "yes" && $2 * $5 + 60 * $6 <= speed) }'
+}
+gives_up()      # BOARD FPS
+{
+    planned "$1" "$2" | awk -F, '{ print; exit $3 != "no" }'
+}
+cheaper()       # more pictures a second leave less for one
+{
+    is "$({ planned stm32f405 4; planned stm32f405 2; } | cut -d, -f5 | sort -n | head -n 1)" \
+        "$(planned stm32f405 4 | cut -d, -f5)"
+}
+check "a board that is fast enough keeps real time" holds stm32f746 5 216
+check "at 60 pictures a second it does not" gives_up stm32f746 60
+check "more pictures a second cost less each" cheaper
+refused()
+{
+    "$program" plan tank --board pdp11 2>"$scratch/said"
+    [ $? = 2 ] && grep -q "stm32f405, .* or microbit" "$scratch/said"
+}
+check "an unknown board is refused, with those that are known" refused
+no_step()
+{
+    "$program" render minimal --step 39 --size $size --out "$scratch/no.png" \
+        2>"$scratch/said"
+    [ $? = 3 ] && grep -q "minimal.*: its ladder has steps 0 to [0-9]*, --step is 39" \
+        "$scratch/said" && [ ! -e "$scratch/no.png" ]
+}
+check "a step that is not there is refused" no_step
+finish
