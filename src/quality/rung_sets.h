@@ -46,12 +46,13 @@ tp_rung_set tp_rung_set_named(const tp_scene *scene, bool drawing_rows, uint32_t
 
 /* -- cost and error ------------------------------------------------------------------ */
 
-/* Parts of a frame's cost that rungs change, each in its own share. */
+/* Parts of a frame's cost.  No rung changes the last three, for which the tables have no
+ * prices: tables of a frame, storing of pixels, spans of water. */
 #define TP_COST_PARTS(X) \
     X(frame) X(sky) X(visibility) X(vertices) X(plain) X(layers) X(distortion) X(ripple) \
     X(light) X(glint) X(reflection) X(haze) X(foam) X(objects) X(refraction) \
     X(dispersion) X(caustics) X(exposure) X(solids) X(faces) X(mirror) X(walls) X(land) \
-    X(spray)
+    X(spray) X(tables) X(store) X(spans)
 
 enum {
 #define X(name) TP_PART_##name,

@@ -70,6 +70,9 @@ static void set_parts(const tp_view_costs *view, const tp_plan_conditions *g,
         sum[trait_part[i]] += (int64_t)o->trait[i] * shaded->part[i] * view->water;
     for (int i = 0; i < TP_WORK_COUNT; i++)
         sum[work_part[i]] += (int64_t)g->prices->work[i] * works->of[i];
+    sum[TP_PART_tables] = (int64_t)1000000 << 16;
+    sum[TP_PART_store] = (int64_t)(10 << 16) * (view->water + view->other);
+    sum[TP_PART_spans] = (int64_t)(20 << 16) * view->water;
     for (int i = 0; i < TP_PART_COUNT; i++)     /* some prices are negative */
         part[i] = sum[i] > 0 ? (uint64_t)sum[i] >> 16 : 0;
 }

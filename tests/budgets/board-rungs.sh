@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The table of ports/BOARDS.md: the step of each shipped scene that an stm32f405 draws at 10
-# pictures a second, or its cheapest. Instructions are the plan's estimates; PSNR is measured
-# by `tidepool plan --board`.
+# pictures a second, or its cheapest that keeps 28 dB. Instructions are the plan's estimates;
+# PSNR is measured by `tidepool plan --board`.
 #
 #   tests/budgets/board-rungs.sh            compares the page with the program, every third
 #                                           scene; with TP_SOAK set all

@@ -83,7 +83,7 @@ function fit_parts(    f, i, k, at, c, upper, lower, prior, least, new, left) {
             f = c >= parts
             if (f && !(i in OWN)) continue
             prior = f ? PRIOR_FAST : 1
-            least = f ? LEAST_FAST : LEAST
+            least = i >= parts - 3 ? 0 : f ? LEAST_FAST : LEAST
             upper = WEIGHT * prior; lower = WEIGHT
             for (at = 1; at <= samples; at++)
                 if (x[at, i] && (!(i in OWN) || fast[at] == f)) {

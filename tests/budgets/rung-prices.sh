@@ -5,10 +5,8 @@
 #   tests/budgets/rung-prices.sh            the test: src/quality/rung_prices.inc is made
 #                                           from rung-prices.csv beside this script
 #   tests/budgets/rung-prices.sh --write    measures both again, 10 minutes: costs on the
-#                                           emulated Cortex-M4 in 12 views of each shipped
+#                                           emulated Cortex-M4 in 11 views of each shipped
 #                                           scene, errors in 24
-#   tests/budgets/rung-prices.sh --count    prints predicted and counted instructions of
-#                                           steps of the walk in new views
 #
 # Build again after --write.
 . "$(dirname "$0")/../lib/script.sh"
@@ -62,7 +60,7 @@ case ${1:-} in
     exit ;;
 --write)
     build $samples charts-tools >/dev/null || exit 1
-    { sampled bases 8 5 && sampled rungs 2 1 && sampled mixed 4 9 && sampled errors 24 1 && meshes
+    { sampled bases 6 5 && sampled rungs 1 1 && sampled mixed 4 9 && sampled errors 24 1 && meshes
     } >build/host/rung-samples || exit 1
     awk -f tests/budgets/rung-prices.awk -v to=csv build/host/rung-samples \
         >"$scratch/table" &&

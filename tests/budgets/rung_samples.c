@@ -271,6 +271,8 @@ static void print_mixed(const loaded_scene *s, const sample_view *v)
                     (uint8_t)chance_int(&chance, 0, (int)tp_rung_kind_count(k) - 1);
         if (!c.estimate.fits[set.of[TP_KIND_VISIBILITY]])
             set.of[TP_KIND_VISIBILITY] = 0;
+        if (c.clear && set.of[TP_KIND_SHADING])
+            set.of[TP_KIND_refraction] = 1;     /* fast shading needs it */
         print_picture(s, v, -3, n, &set);
     }
 }

@@ -103,7 +103,7 @@ static void parts_sum_to_the_plan(void **state)
         const tp_view_costs view = view_of(&s);
         const tp_plan_report plan = tp_plan_make(&s, &none, 320, 240);
         uint64_t sum = 0;
-        for (int p = 0; p < TP_PART_COUNT; p++)
+        for (int p = 0; p < TP_PART_tables; p++)
             sum += view.part[0][p];
         assert_in_range(sum, plan.total.cost * 98 / 100, plan.total.cost * 102 / 100);
         assert_true(tp_set_price_estimate(&view, &exact).square == 0);

@@ -7,7 +7,7 @@
 #include "app/scene/world_rungs.h"
 #include "ladder_pictures.h"
 
-enum { TICKS_A_SECOND = 60, FPS = 10 };
+enum { TICKS_A_SECOND = 60, FPS = 10, LEAST_DB = 28 };
 
 static double millions(uint64_t n)
 {
@@ -139,6 +139,18 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
         print_world(s);
 }
 
+/* Sets *step to the last step of the ladder that keeps 28 dB on its pictures. */
+static int find_best(set_ladder *ladder, const options *o, ladder_step *step)
+{
+    const int code = ladder_pictures_measure(ladder->step, ladder->count, o, false);
+
+    *step = ladder->step[0];
+    for (uint32_t i = 1; i < ladder->count; i++)
+        if (ladder->step[i].db >= LEAST_DB)
+            *step = ladder->step[i];
+    return code;
+}
+
 int plan_board_print(const loaded_scene *s, const options *o)
 {
     static set_ladder ladder;
@@ -146,11 +158,12 @@ int plan_board_print(const loaded_scene *s, const options *o)
     const uint32_t fps = o->fps ? o->fps : FPS;
     const uint64_t tick = tick_estimate(s), ticks = TICKS_A_SECOND * tick;
     const uint64_t most = b->speed > ticks ? (b->speed - ticks) / fps : 0;
+    ladder_step step;
 
     set_ladder_find(&ladder, s, o->width, o->height);
-    ladder_step step = set_ladder_within(&ladder, s, o->width, o->height, most);
-    const int code = ladder_pictures_measure(&step, 1, o, false);
-    const bool real_time = step.frame <= most;
+    const bool real_time = set_ladder_within(&ladder, s, o->width, o->height, most, &step);
+    const int code = real_time ? ladder_pictures_measure(&step, 1, o, false)
+                               : find_best(&ladder, o, &step);
     if (!code && o->csv)
         print_board_csv(b, fps, tick, &step, real_time);
     else if (!code)

@@ -4,8 +4,6 @@
 #include <string.h>
 #include "world/text.h"
 
-#define SQUARE_OF_28_DB (103 * 65536ull)        /* Q16 square levels of 255 */
-
 /* -- steps --------------------------------------------------------------------------- */
 
 /* Writes the rows of quality, mirror and grid by which a scene differs from another. */
@@ -40,8 +38,7 @@ static ladder_step step_make(const loaded_scene *s, const tp_rung_set *set,
 {
     const tp_scene exact = exact_scene(s);
     tp_scene scene = s->file.scene;
-    ladder_step step = { .set = *set, .frame = price.cost, .square = price.square,
-                         .total = -1 };
+    ladder_step step = { .set = *set, .frame = price.cost, .total = -1 };
 
     tp_rung_set_apply(&scene, set);
     write_choices(&exact, &scene, step.choices, sizeof step.choices);
@@ -70,22 +67,21 @@ void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
         ladder->step[i] = step_make(s, &walk.set[i], walk.price[i]);
 }
 
-ladder_step set_ladder_within(const set_ladder *ladder, const loaded_scene *s,
-                              uint32_t width, uint32_t height, uint64_t most)
+bool set_ladder_within(const set_ladder *ladder, const loaded_scene *s, uint32_t width,
+                       uint32_t height, uint64_t most, ladder_step *step)
 {
     const tp_view_costs view = costs_make(s, width, height);
-    uint32_t open, at = 0, keeps = 0;
+    uint32_t open, at = 0;
 
     tp_rung_set_named(&s->file.scene, true, &open);
-    for (uint32_t i = 0; i < ladder->count; i++)
-        keeps = ladder->step[i].square <= SQUARE_OF_28_DB ? i : keeps;
     while (at < ladder->count && ladder->step[at].frame > most)
         at++;
     if (at == ladder->count)
-        return ladder->step[keeps];
+        return false;
     tp_rung_set set = ladder->step[at].set;
     tp_set_refine(&view, &set, open, most);
-    return step_make(s, &set, tp_set_price_estimate(&view, &set));
+    *step = step_make(s, &set, tp_set_price_estimate(&view, &set));
+    return true;
 }
 
 int set_ladder_apply(loaded_scene *s, const options *o, const ladder_step *step)

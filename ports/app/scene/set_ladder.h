@@ -10,7 +10,6 @@
 typedef struct {
     tp_rung_set set;
     uint64_t frame;             /* instructions of a frame, the plan's estimate */
-    uint64_t square;            /* mean square error, Q16, the plan's estimate */
     size_t   ram;               /* frame, scratch and world of a baked program in RGB565 */
     char     choices[640];      /* rows unlike the exact ones, apart by spaces */
     double   added, db;         /* rms, of 255, and PSNR against the exact picture */
@@ -27,11 +26,10 @@ typedef struct {
 void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
                      uint32_t height);
 
-/* Returns the set of the scene that the cost fits: the first step within `most`
- * instructions, its rungs made exact again where there is room.  If no step is within it,
- * the last one that is expected to keep 28 dB. */
-ladder_step set_ladder_within(const set_ladder *ladder, const loaded_scene *s,
-                              uint32_t width, uint32_t height, uint64_t most);
+/* Sets *step to the first step within `most` instructions, its rungs made exact again where
+ * there is room.  Returns false if no step is within them. */
+bool set_ladder_within(const set_ladder *ladder, const loaded_scene *s, uint32_t width,
+                       uint32_t height, uint64_t most, ladder_step *step);
 
 /* Finds step `at` of the scene for pictures of o's size, and sets the scene's rows to it.
  * Returns EXIT_INPUT, with the number of steps, if there is no such step. */
