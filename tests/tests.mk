@@ -137,7 +137,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	@$(RUN) build/log/more tests/cross/run.sh tests/charts/sweep.sh tests/fuzz/replay.sh \
 	    tests/boards/cortex-m.sh $(SLOW) \
 	    $(patsubst %,tests/gates/%.sh,arm clang wide) \
-	    $(patsubst %,tests/host/%.sh,saves screen view panel view_keys leaks furniture) \
+	    $(patsubst %,tests/host/%.sh,screen view panel view_keys leaks) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    tests/accuracy/rungs.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi oled control linuxfb kms) \
@@ -166,7 +166,8 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
                 effects rung-judge board-rungs) \
-	    $(patsubst %,tests/host/%.sh,threads saves generators ladder); scripts=$$?; \
+	    $(patsubst %,tests/host/%.sh,threads saves generators ladder \
+                furniture); scripts=$$?; \
 	$(SOAK) TP_BUILD=build/san tests/run.sh build/log/soak-sanitized \
 	    $(call at_san,$(sort $(SAN_SOAK) $(MORE_ROUNDS))) && exit $$scripts
 fuzzers: $(FUZZ)
