@@ -301,7 +301,7 @@ const option_row args_rows[] = {
     { "--board", "NAME", FOR_PLAN, read_board,
       "find the step that the board draws in real time" },
     { "--fps", "N", FOR_PLAN, read_fps, "pictures a second on the board; by default 10" },
-    { "--step", "N", FOR_RENDER | FOR_BAKE, read_step,
+    { "--step", "N", RARE | FOR_RENDER | FOR_BAKE, read_step,
       "draw step N of the scene's ladder" },
     { "--band", "ROWS", RARE | FOR_BAKE, read_band,
       "rows of the program's tiles, 16 by default" },
