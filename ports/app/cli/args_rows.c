@@ -324,7 +324,7 @@ const option_row args_rows[] = {
       "refuse to draw if more memory is needed; 96k, 2M" },
     { "--stream", NULL, RARE | DRAWERS, read_stream,
       "store no vertices of the water: less memory, same bits" },
-    { "--texels", "N", DRAWERS | FOR_BAKE, read_texels,
+    { "--texels", "N", RARE | DRAWERS | FOR_BAKE, read_texels,
       "use pictures of at most N texels a side" },
     { "--strict", NULL, DRAWERS | FOR_PLAN, read_strict,
       "refuse a mesh that lacks a picture or material" },
