@@ -87,7 +87,8 @@ static inline bool tp_set_is_fast(const tp_view_costs *view, const tp_rung_set *
         && (!view->clear || set->of[TP_KIND_refraction]);
 }
 
-tp_view_costs tp_view_costs_make(const tp_prices *prices, const tp_plan_input *in);
+void tp_view_costs_make(tp_view_costs *view, const tp_prices *prices,
+                        const tp_plan_input *in);
 tp_set_price tp_set_price_estimate(const tp_view_costs *view, const tp_rung_set *set);
 
 /* -- the search ---------------------------------------------------------------------- */

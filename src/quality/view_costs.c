@@ -82,26 +82,27 @@ static tp_fx pixel_share(uint32_t pixels, const tp_plan_input *in)
     return (tp_fx)(((uint64_t)pixels << 16) / ((uint64_t)in->width * in->height));
 }
 
-tp_view_costs tp_view_costs_make(const tp_prices *prices, const tp_plan_input *in)
+/* A board's stack has no room for a copy of the costs: the caller's are set in place. */
+void tp_view_costs_make(tp_view_costs *view, const tp_prices *prices,
+                        const tp_plan_input *in)
 {
     const tp_plan_conditions g = tp_plan_conditions_make(prices, in);
     const tp_fixed_cost works = tp_fixed_cost_estimate(in, &g.estimate, false);
     const uint32_t hidden = works.hidden < g.estimate.water_pixels
                                 ? works.hidden : g.estimate.water_pixels;
-    tp_view_costs view = { .estimate = g.estimate,
-                           .fast = !(g.estimate.modules & TP_MODULE_EXACT),
-                           .clear = (g.estimate.modules & TP_MODULE_CLEAR) != 0,
-                           .water = g.estimate.water_pixels - hidden,
-                           .other = g.estimate.other_pixels + hidden };
 
-    view.share[TP_SHARE_all] = TP_FX_ONE;
-    view.share[TP_SHARE_sky] = pixel_share(view.other, in);
-    view.share[TP_SHARE_water] = pixel_share(view.water, in);
-    view.share[TP_SHARE_mirrored] = pixel_share(works.of[TP_WORK_looked_near], in);
-    view.share[TP_SHARE_solid] = pixel_share(works.solid, in);
+    view->estimate = g.estimate;
+    view->fast = !(g.estimate.modules & TP_MODULE_EXACT);
+    view->clear = (g.estimate.modules & TP_MODULE_CLEAR) != 0;
+    view->water = g.estimate.water_pixels - hidden;
+    view->other = g.estimate.other_pixels + hidden;
+    view->share[TP_SHARE_all] = TP_FX_ONE;
+    view->share[TP_SHARE_sky] = pixel_share(view->other, in);
+    view->share[TP_SHARE_water] = pixel_share(view->water, in);
+    view->share[TP_SHARE_mirrored] = pixel_share(works.of[TP_WORK_looked_near], in);
+    view->share[TP_SHARE_solid] = pixel_share(works.solid, in);
     for (uint8_t v = 0; v < TP_VISIBILITIES; v++)
-        set_parts(&view, &g, v, &works, view.part[v]);
-    return view;
+        set_parts(view, &g, v, &works, view->part[v]);
 }
 
 /* -- a set --------------------------------------------------------------------------- */

@@ -141,7 +141,10 @@ static tp_view_costs costs_of(const loaded_scene *s, const sample_view *v)
     const tp_plan_input in = { tp_program_all.modules, &scene, &s->assets.names, v->width,
                                v->height };
 
-    return tp_view_costs_make(&tp_prices_measured, &in);
+    tp_view_costs view;
+
+    tp_view_costs_make(&view, &tp_prices_measured, &in);
+    return view;
 }
 
 static bool concerns(const tp_view_costs *c, int kind, int rung)

@@ -20,7 +20,10 @@ static tp_view_costs view_of(const tp_scene *scene)
 {
     const tp_plan_input in = { tp_program_all.modules, scene, &none, 320, 240 };
 
-    return tp_view_costs_make(&tp_prices_measured, &in);
+    tp_view_costs view;
+
+    tp_view_costs_make(&view, &tp_prices_measured, &in);
+    return view;
 }
 
 /* A scene of three waves with glints, a sky and layers, from a camera at random. */

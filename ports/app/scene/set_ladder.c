@@ -47,10 +47,12 @@ static ladder_step step_make(const loaded_scene *s, const tp_rung_set *set,
 
 static tp_view_costs costs_make(const loaded_scene *s, uint32_t width, uint32_t height)
 {
+    tp_view_costs view;
     const tp_plan_input in = { tp_program_all.modules, &s->file.scene, &s->assets.names,
                                width, height };
 
-    return tp_view_costs_make(&tp_prices_measured, &in);
+    tp_view_costs_make(&view, &tp_prices_measured, &in);
+    return view;
 }
 
 void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
