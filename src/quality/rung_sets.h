@@ -17,7 +17,7 @@
  * its order, and two rows that a drawing may change too: mirror.size and the vertices of
  * grid.vertices. */
 enum {
-    TP_KIND_FIRST_EFFECT = TP_KIND_RATE,
+    TP_KIND_BEFORE_EFFECTS = TP_KIND_RATE,      /* the kinds of prices.h are the first */
 #define X(name, words, last, help) TP_KIND_##name,
     TP_EFFECT_LIST(X)
 #undef X

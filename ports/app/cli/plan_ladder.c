@@ -26,7 +26,7 @@ static void print_csv(const set_ladder *ladder, uint64_t tick)
     }
 }
 
-/* Returns the choice that the step adds to the one before: its last difference. */
+/* Prints the rows by which a step differs from the one before. */
 static void print_change(const ladder_step *before, const ladder_step *now)
 {
     for (int k = 0; k < TP_RUNG_KINDS; k++)
@@ -76,7 +76,7 @@ int plan_ladder_print(const loaded_scene *s, const options *o)
 
 /* -- a board ------------------------------------------------------------------------- */
 
-/* Prints the rows of a step, some in a line. */
+/* Prints the settings of a step, as many in a line as fit a terminal. */
 static void print_choices(const char *text)
 {
     int column = 0;
