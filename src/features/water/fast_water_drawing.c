@@ -140,7 +140,7 @@ static void append_stage(chain *c, tp_stage stage)
 /* True if the scene asks fast shading for bilinear textures, by a rung. */
 static bool is_linear(const tp_frame *frame, int32_t rung)
 {
-    return rung == TP_RUNG_EXACT && frame->scene->water.filter == TP_FILTER_LINEAR;
+    return rung <= TP_RUNG_EXACT && frame->scene->water.filter == TP_FILTER_LINEAR;
 }
 
 static tp_stage places_stage(const tp_stage *stage, bool bends, bool half_rate, bool linear)
@@ -162,7 +162,7 @@ static tp_stage layers_stage(const tp_stage *stage, bool half_rate, bool linear)
 
 static tp_stage ripples_stage(const tp_frame *frame, const tp_stage *stage, bool ripples)
 {
-    const bool linear = frame->scene->quality.ripple == TP_RUNG_EXACT;
+    const bool linear = frame->scene->quality.ripple <= TP_RUNG_EXACT;
 
     return stage[!ripples ? TP_NTH_quick_slopes
                  : linear ? TP_NTH_quick_ripple_linear : TP_NTH_quick_ripple];

@@ -139,5 +139,5 @@ void tp_fast_textures_begin(tp_fast_textures *textures, const tp_frame *frame,
     layers->bend = make_baked_map(frame, textures, OFFSETS, &scene->distortion.map, 0);
     layers->ripple =        /* a bilinear look-up blurs as the exact stages do */
         make_baked_map(frame, textures, SLOPES, &scene->ripple.map,
-                       scene->quality.ripple == TP_RUNG_EXACT ? 0 : TP_RIPPLE_LOD);
+                       scene->quality.ripple <= TP_RUNG_EXACT ? 0 : TP_RIPPLE_LOD);
 }
