@@ -97,10 +97,10 @@ typedef struct {
  * made anew. */
 extern const struct tp_water_swells tp_water_few_swells;
 
-/* -- water renderers and the quality plan; src/frame/frame.h ------------------------- */
+/* -- water renderers and cheaper drawing; src/frame/frame.h --------------------------- */
 
 #define TP_DRAW_LIST(X) \
-    X(rungs)            /* the quality plan */ \
+    X(culling)          /* waves too faint to be seen are not drawn */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
     X(fast_waves)       /* vertices in 32 bits, for quality.waves */ \

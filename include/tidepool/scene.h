@@ -72,11 +72,24 @@ typedef enum { TP_SHADING_AUTO, TP_SHADING_EXACT, TP_SHADING_QUICK } tp_shading;
  * colour is interpolated. */
 typedef enum { TP_RATE_AUTO, TP_RATE_FULL, TP_RATE_LAYERS, TP_RATE_COLOUR } tp_rate;
 
+/* Boards for which rungs can be chosen; ports/app/scene/boards.c has their figures. */
+#define TP_BOARD_LIST(X) \
+    X(stm32f405) X(stm32f746) X(nrf52840) X(rp2040) X(rp2350) X(esp32s3) X(microbit)
+
+enum {
+    TP_BOARD_none,
+#define X(name) TP_BOARD_##name,
+    TP_BOARD_LIST(X)
+#undef X
+    TP_BOARDS
+};
+
 /* Effects with cheaper rungs: name, words of the rungs from dearest to cheapest, number of
- * the last rung, help.  The row of an effect is quality.NAME.  `auto` is the exact rung
- * until the plan knows the prices of the effects.  quality.mesh takes effect when assets
- * are loaded: the boat's mesh is that of boat.mesh, or the file beside it with -mid or -low
- * before its suffix, if there is one. */
+ * the last rung, help.  The row of an effect is quality.NAME.  A frame draws a
+ * rung left open (`auto`) as the exact one; `bake` and the host's programs plan first, and
+ * name the plan's rungs (quality/plan.h).  quality.mesh takes effect when assets are loaded:
+ * the boat's mesh is that of boat.mesh, or the file beside it with -mid or -low before its
+ * suffix, if there is one. */
 #define TP_EFFECT_LIST(X) \
     X(sky, "auto|exact|fast", 2, "colours of the sky: each pixel, or a lattice") \
     X(haze, "auto|exact|fast", 2, "haze: each pixel, or blocks of pixels") \
@@ -113,12 +126,16 @@ enum { TP_RUNG_AUTO, TP_RUNG_EXACT, TP_RUNG_FAST, TP_RUNG_PAIRS };
 
 /* Quality targets. */
 typedef struct {
-    tp_fx   error_px, error_colour;     /* outlines, px; rms of colours, of 255 */
+    tp_fx   error_px;           /* outlines by omitted waves, px */
+    tp_fx   error_colour;       /* beyond the exact picture, rms of 255 */
     int32_t visibility, shading, rate;          /* rungs; auto: the plan chooses */
 #define X(name, words, last, help) int32_t name;    /* rung of an effect */
     TP_EFFECT_LIST(X)
 #undef X
-    tp_fx   frame_ms;                   /* frame time for the governor, ms; 0: off */
+    int32_t board;                      /* TP_BOARD_; rungs are chosen for it */
+    tp_fx   frame_ms;                   /* frame time, ms: on the board; without a board,
+                                         * the governor's on this machine.  0: a tenth of
+                                         * a second; no governor */
 } tp_scene_quality;
 
 /* The last rung of quality.dispersion. */

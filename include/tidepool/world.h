@@ -67,7 +67,7 @@ size_t tp_world_bytes(const tp_program *program, const tp_scene *scene,
  *  - as tp_scene_check, if the program has it: err->word is the parameter at fault
  *  - TP_E_PROGRAM: the scene has a module on that the program lists as lacking; err->word
  *    is its name, as `tidepool bake --with` takes it.  Fast stages count only if
- *    quality.shading names them: otherwise the plan uses exact stages
+ *    quality.shading names them: otherwise exact stages are used
  *  - TP_E_ARG: the picture of "floor.map" has a side of 0 or of more than 4096 pixels */
 tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
                         const tp_scene *scene, const tp_assets *assets, tp_error *err);

@@ -37,7 +37,6 @@ static struct {
     tp_input  next_input;       /* input of the next tick */
     poke_queue pokes;           /* pokes for the next tick and later ticks */
     camera_mode look;
-    tp_governor governor;
 } page;
 
 /* -- a world and a frame ------------------------------------------------------------- */
@@ -59,19 +58,21 @@ tp_world *web_world(void)
     return page.world;
 }
 
+/* Makes a frame that draws with the plan's rungs; memory taken since the world is freed. */
 static int make_frame(tp_error *err)
 {
     const tp_config *c = &page.config;
+    const tp_scene *drawn = web_plan_drawn();
     web_restore_mark(page.above);
-    page.frame_bytes = tp_frame_bytes(c, &web_scene);
+    page.frame_bytes = tp_frame_bytes(c, drawn);
     void *block = web_take(page.frame_bytes);
-    page.scratch = web_take(tp_frame_direct_scratch_bytes(c, &web_scene));
+    page.scratch = web_take(tp_frame_direct_scratch_bytes(c, drawn));
     page.row_bytes = tp_format_row_bytes(c->format, (int)c->width);
     page.rows = web_take(page.row_bytes * c->height);
     page.shown = web_take((size_t)c->width * c->height * sizeof *page.shown);
     if (!block || !page.scratch || !page.rows || !page.shown)
         return (int)TP_FAIL(err, TP_E_NOSPACE, 0, 0, 0);
-    return (int)tp_frame_init(&page.frame, c, &web_scene, block, page.frame_bytes, err);
+    return (int)tp_frame_init(&page.frame, c, drawn, block, page.frame_bytes, err);
 }
 
 static int make_world(tp_error *err)
@@ -87,30 +88,15 @@ static int make_world(tp_error *err)
     return 0;
 }
 
-/* Returns the governor's limit, us, from quality.frame_ms; 0: no governor. */
-static uint32_t limit_us(void)
-{
-    return (uint32_t)((int64_t)web_scene.quality.frame_ms * 1000 >> 16);
-}
-
-static void govern(void)
-{
-    const tp_ladder ladder = tp_ladder_make(&web_scene, &web_assets, page.config.width,
-                                          page.config.height);
-    tp_governor_init(&page.governor, &ladder, limit_us());
-    tp_frame_set_rungs(page.frame, NULL);
-}
-
-/* Called after a change taken by the world.  Makes a new frame if needed or if its size
- * has grown, and restarts the governor. */
+/* Called after a change taken by the world.  Makes a new frame if needed, if its rungs
+ * change or if its size has grown. */
 int web_changed(bool anew)
 {
     tp_error err = { 0 };
-    const size_t bytes = tp_frame_bytes(&page.config, &web_scene);
-    if ((anew || bytes > page.frame_bytes) && make_frame(&err))
+    const bool planned = web_plan_renew(page.config.width, page.config.height);
+    const size_t bytes = tp_frame_bytes(&page.config, web_plan_drawn());
+    if ((anew || planned || bytes > page.frame_bytes) && make_frame(&err))
         return web_refuse(&err);
-    if (limit_us() || page.governor.limit)
-        govern();
     return 0;
 }
 
@@ -130,6 +116,7 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
     page.number = carry ? page.number : 0;
     page.next_input = (tp_input){ 0 };
     page.pokes = (poke_queue){ .count = 0 };
+    web_plan_make(width, height);
     if (make_world(&err) || make_frame(&err)) {
         page.world = NULL;
         web_restore_mark(page.mark);
@@ -137,7 +124,6 @@ EXPORT(int, build, uint32_t width, uint32_t height, int format, bool carry)
     }
     if (carry && page.was)
         setting_carry(page.world, &page.before);
-    govern();
     return 0;
 }
 
@@ -150,12 +136,13 @@ EXPORT(int, resize, uint32_t width, uint32_t height, int format)
     page.config.width = width;
     page.config.height = height;
     page.config.format = (tp_format)format;
+    web_plan_renew(width, height);
     if (make_frame(&err)) {
         page.config = before;
+        web_plan_renew(before.width, before.height);
         make_frame(NULL);
         return web_refuse(&err);
     }
-    govern();
     return 0;
 }
 
@@ -212,6 +199,7 @@ static void show_row(uint32_t y)
 EXPORT(const uint32_t *, draw, void)
 {
     tp_tile tile;
+    web_plan_drawn();
     tp_frame_begin(page.frame, page.world);
     for (uint32_t i = 0; tp_frame_draw_tile_direct(page.frame, i, page.scratch, page.rows,
                                                    page.row_bytes, &tile);
@@ -234,11 +222,10 @@ EXPORT(uint32_t, crc, void)
  * the quality has changed. */
 EXPORT(int, took, uint32_t us)
 {
-    const int step = tp_governor_add_frame_time(&page.governor, us);
-    const tp_rungs rungs = tp_governor_rungs(&page.governor);
-    if (step)
-        tp_frame_set_rungs(page.frame, &rungs);
-    return step;
+    const int step = web_plan_took(us);
+    tp_error err = { 0 };
+
+    return step && make_frame(&err) ? web_refuse(&err) : step;
 }
 
 /* -- touch and camera ---------------------------------------------------------------- */

@@ -35,6 +35,15 @@ void      web_drop(void);               /* frees world and picture */
 int       web_changed(bool anew);       /* after a change taken by the world; anew: make
                                          * a new frame */
 
+/* -- plan.c: the rungs of the picture ------------------------------------------------ */
+
+void      web_plan_make(uint32_t width, uint32_t height);   /* for a new world */
+bool      web_plan_renew(uint32_t width, uint32_t height);  /* true if rungs change */
+int       web_plan_took(uint32_t us);   /* time of a frame; steps down, negative: up */
+
+/* Returns the scene as drawn, renewed from web_scene: the plan's rungs in open rows. */
+const tp_scene *web_plan_drawn(void);
+
 /* -- scenes: written by scenes.awk from assets/scenes -------------------------------- */
 
 /* The text of each scene: the scene's name in the first line, then the lines "[section]"

@@ -145,9 +145,9 @@ static const tp_param rows[] = {
         "speed of time; below 1: slow motion"),
 
     TP_ROW_NUMBER("quality.error_px", quality.error_px, "px", 0, 64, 0.5,
-        "largest error of outlines allowed for speed"),
+        "largest error of outlines by omitted waves"),
     TP_ROW_NUMBER("quality.error_colour", quality.error_colour, "levels", 0, 255, 2,
-        "largest error of colours allowed for speed, rms of 255"),
+        "largest error that planned rungs may add, rms of 255"),
     TP_ROW_CHOICE("quality.visibility", quality.visibility,
         "auto|triangles|rows|projected|flat|walk", TP_VISIBILITY_WALK, TP_VISIBILITY_AUTO,
         "method that finds the water's surface in each pixel"),
@@ -162,8 +162,12 @@ static const tp_param rows[] = {
                   TP_RUNG_AUTO, help),
     TP_EFFECT_LIST(X)
 #undef X
+#define X(name) "|" #name
+    TP_ROW_CHOICE("quality.board", quality.board, "none" TP_BOARD_LIST(X), TP_BOARDS - 1,
+        TP_BOARD_none, "board for which rungs are chosen, with quality.frame_ms"),
+#undef X
     TP_ROW_NUMBER("quality.frame_ms", quality.frame_ms, "ms", 0, 10000, 0,
-        "time limit of a frame; quality steps down to hold it; 0: off"),
+        "time of a frame: on the board (0: 100), or held here by steps (0: off)"),
 
     TP_MORE_ROWS
 };

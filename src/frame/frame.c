@@ -7,13 +7,13 @@
 #include "frame/frame.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
-#include "quality/prices.h"
+#include "quality/plan.h"
 #include "world/module.h"
 #include "world/pools.h"
 
 /* -- layout of the block ------------------------------------------------------------- */
 
-/* Lays out the memory of the plan's possible water renderers. */
+/* Lays out the memory of the possible water renderers. */
 static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
                              const tp_program *program, const tp_scene *scene,
                              const tp_config *config)
@@ -76,13 +76,13 @@ static tp_frame *allocate_frame(const tp_program *program, tp_frame_buffers *buf
     const size_t fixed = arena->used;
 
     *buffers = (tp_frame_buffers){
-        .rung_mask = tp_frame_rung_mask(program, scene, assets, config),
+        .rung_mask = tp_frame_rung_mask(scene),
         .column_bytes = (uint32_t)tp_renderer_column_bytes(program, scene),
     };
     layout_renderers(buffers, arena, program, scene, config);
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
-    if (program->draw.rungs)
-        program->draw.rungs->layout(buffers, arena, &in);
+    if (program->draw.culling)
+        program->draw.culling->layout(buffers, arena, &in);
     const size_t placed = arena->used;
     const tp_module_conditions conditions =
         tp_frame_module_conditions(program, buffers, scene, assets, config);

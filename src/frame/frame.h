@@ -8,7 +8,6 @@
 #include "frame/drawing.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
-#include "quality/plan.h"
 #include "quality/prices.h"
 #include "raster/fast_scanlines.h"
 #include "raster/raster.h"
@@ -74,9 +73,8 @@ struct tp_frame {
     tp_grid_view     grid_view;
     bool             cull_water;        /* true: the eye is above every crest */
     tp_rungs         rungs;             /* quality rungs of this frame */
-    tp_rungs         planned, asked;    /* asked: by the port, if `steered` */
+    tp_rungs         asked;             /* by a tool, if `steered` */
     bool             steered;
-    uint8_t          quality[sizeof ((tp_scene *)0)->quality];  /* the plan's settings */
     tp_visibility    visibility;        /* water renderer of this frame */
     tp_cell_drawer  *draw_cell;         /* of the water, by quality.triangles */
 
@@ -132,13 +130,12 @@ bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
 tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
                                   const tp_assets *assets, const tp_config *config);
 
-/* visibility.c: the planned rungs, computed at init and when the budget changes; the
- * renderer of this frame's water, and drawing by it. */
+/* visibility.c: the rungs of a frame, those with memory, the renderer of this frame's water,
+ * and drawing by it. */
 const struct tp_water_renderer *tp_frame_renderer(const tp_program *program,
                                                   tp_visibility visibility);
 void tp_frame_choose_rungs(tp_frame *frame);
-tp_rung_mask tp_frame_rung_mask(const tp_program *program, const tp_scene *scene,
-                                const tp_assets *assets, const tp_config *config);
+tp_rung_mask tp_frame_rung_mask(const tp_scene *scene);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory);
@@ -342,11 +339,9 @@ static inline bool tp_frame_has_packed_rows(const tp_frame *frame)
            && !frame->config.overlay.draw && !frame->outlined;
 }
 
-/* The quality plan, see planned.c. */
-struct tp_draw_rungs {
+/* Waves too faint to be seen are not drawn; culled_water.c. */
+struct tp_draw_culling {
     void (*layout)(tp_frame_buffers *parts, tp_arena *arena, const tp_plan_input *in);
-    tp_ladder (*ladder)(const tp_plan_input *in);
-    tp_rungs (*rungs)(const tp_plan_input *in);
     void (*cull_waves)(tp_frame *frame);
 };
 

@@ -69,8 +69,8 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     if (world->aboard == TP_ABOARD_DECK)
         frame->projection.lean = 0; /* golden frames of the deck camera have no lean */
     tp_frame_choose_rungs(frame);
-    if (draw->rungs)
-        draw->rungs->cull_waves(frame);
+    if (draw->culling)
+        draw->culling->cull_waves(frame);
     tp_frame_set_up_shading(frame);
     tp_frame_choose_visibility(frame);
     tp_frame_place_surface(frame);

@@ -3,8 +3,10 @@
  * textures baked in advance. */
 #ifndef TP_FRAME_TOOLS_H
 #define TP_FRAME_TOOLS_H
-#include "quality/plan.h"
+#include <stdbool.h>
+#include <stdint.h>
 #include "tidepool/frame.h"
+#include "tidepool/scene.h"
 
 /* RAM by use, bytes. */
 typedef struct {
@@ -28,9 +30,22 @@ typedef struct {
 
 tp_ram_use tp_frame_ram(const tp_frame *frame);
 
-/* Sets the rungs of the following frames, for a frame governor.  NULL: back to the plan,
- * which is made at init and again when quality.* changes.  A rung without memory in this
- * frame (tp_rung_mask) is replaced by the exact rung. */
+/* The rungs that a frame may change from one picture to the next. */
+typedef struct {
+    tp_visibility visibility;   /* never AUTO; the same holds for the other members */
+    tp_shading    shading;
+    tp_rate       rate;
+} tp_rungs;
+
+/* Rung masks: a bit 1 << rung for each rung of a kind that a frame may use: the exact rungs
+ * and those that the scene names.  A frame has no memory for other rungs. */
+typedef struct {
+    uint8_t visibility, shading, rate;
+} tp_rung_mask;
+
+/* Sets the rungs of the following frames, for tests that compare two frames.  NULL: back to
+ * those that the scene names.  A rung without memory in this frame (tp_rung_mask) is
+ * replaced by the exact rung. */
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
 /* Returns the number of tiles of the picture. */

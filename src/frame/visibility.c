@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The rungs of a frame, as planned, named by the scene or asked for by the application, and
- * the choice of its water renderer: the renderer of the rung if it can draw this camera and
- * this sea, else triangles.  The choice does not depend on the frame before. */
+/* The rungs of a frame, named by the scene or asked for by a tool, and the choice of its
+ * water renderer: the renderer of the rung if it can draw this camera and this sea, else
+ * triangles.  The choice does not depend on the frame before. */
 #include "frame/frame.h"
 #include "frame/tools.h"
 #include "world/pools.h"
@@ -28,14 +28,15 @@ static tp_rungs named_or_exact(const tp_scene *scene)
     };
 }
 
-tp_rung_mask tp_frame_rung_mask(const tp_program *program, const tp_scene *scene,
-                                const tp_assets *assets, const tp_config *config)
+tp_rung_mask tp_frame_rung_mask(const tp_scene *scene)
 {
-    const struct tp_draw_rungs *rungs = program->draw.rungs;
-    const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
-    const tp_ladder ladder = rungs ? rungs->ladder(&in)
-                                   : (tp_ladder){ { named_or_exact(scene) }, 1 };
-    return tp_ladder_rung_mask(&ladder);
+    const tp_rungs named = named_or_exact(scene);
+
+    return (tp_rung_mask){
+        (uint8_t)(1u << TP_VISIBILITY_TRIANGLES | 1u << named.visibility),
+        (uint8_t)(1u << TP_SHADING_EXACT | 1u << named.shading),
+        (uint8_t)(1u << TP_RATE_FULL | 1u << named.rate),
+    };
 }
 
 static bool has_rung(uint8_t bits, unsigned rung)
@@ -89,22 +90,11 @@ static const struct tp_water_renderer *chosen_renderer(const tp_frame *frame)
                : tp_frame_renderer(frame->program, frame->visibility);
 }
 
-/* Chooses the rungs of a frame; the plan is made first if there is none or the scene's
- * quality settings have changed. */
 void tp_frame_choose_rungs(tp_frame *frame)
 {
-    const struct tp_draw_rungs *rungs = frame->program->draw.rungs;
-    const tp_scene *scene = frame->scene;
-
-    if (frame->planned.visibility == TP_VISIBILITY_AUTO
-        || memcmp(frame->quality, &scene->quality, sizeof frame->quality) != 0) {
-        memcpy(frame->quality, &scene->quality, sizeof frame->quality);
-        const tp_plan_input in =
-            tp_frame_plan_input(frame->program, scene, &frame->assets, &frame->config);
-        frame->planned = rungs ? rungs->rungs(&in) : named_or_exact(scene);
-    }
     frame->rungs = replace_unavailable_rungs(
-        frame->buffers.rung_mask, frame->steered ? frame->asked : frame->planned);
+        frame->buffers.rung_mask,
+        frame->steered ? frame->asked : named_or_exact(frame->scene));
 }
 
 /* Sets the grid's placement, needed by all renderers. */

@@ -2,11 +2,11 @@
 /* The governor of the frame time compares windows of frames with the limit; a single late
  * frame has no effect.
  *
- * A step up is predicted, not tried.  The mean frame times before and after a step down
- * give the cost ratio of both rungs on this machine and scene.  The current mean times
- * this ratio predicts the frame time on the rung above.  Under a constant load the
- * prediction stays above the limit, so the governor stays on its rung and does not
- * oscillate. */
+ * A step up is predicted.  The estimated costs of two steps, or the mean frame times before
+ * and after a step down by one, give the ratio of their times.  The current mean times this
+ * ratio predicts the frame time of the step above.  An estimate may lead to a step that is
+ * too slow; the step back measures the ratio, and the prediction stays above the limit:
+ * under a constant load the governor comes to rest. */
 #include <stdbool.h>
 #include "base/base.h"
 #include "quality/plan.h"
@@ -15,34 +15,17 @@
 #define CALM   8                /* consecutive windows with room before a step up */
 #define SETTLE 2                /* frames ignored after a step */
 
-void tp_governor_init(tp_governor *governor, const tp_ladder *ladder, uint32_t limit)
+void tp_governor_init(tp_governor *governor, const tp_set_walk *walk, uint32_t limit)
 {
-    *governor = (tp_governor){ .ladder = *ladder, .limit = limit };
+    TP_ASSERT(walk->count > 0 && walk->count <= TP_SET_STEPS);
+    *governor = (tp_governor){ .limit = limit, .steps = walk->count };
+    for (uint32_t i = 0; i < walk->count; i++)
+        governor->cost[i] = walk->price[i].cost;
 }
 
-tp_rungs tp_governor_rungs(const tp_governor *governor)
-{
-    TP_ASSERT(governor->at < governor->ladder.count);
-    return governor->ladder.rung[governor->at];
-}
-
-tp_rung_mask tp_ladder_rung_mask(const tp_ladder *ladder)
-{
-    TP_ASSERT(ladder->count <= TP_LADDER);
-    tp_rung_mask reach = { 1 << TP_VISIBILITY_TRIANGLES, 1 << TP_SHADING_EXACT,
-                           1 << TP_RATE_FULL };
-
-    for (uint32_t i = 0; i < ladder->count; i++) {
-        reach.visibility |= (uint8_t)(1u << ladder->rung[i].visibility);
-        reach.shading |= (uint8_t)(1u << ladder->rung[i].shading);
-        reach.rate |= (uint8_t)(1u << ladder->rung[i].rate);
-    }
-    return reach;
-}
-
-/* Moves `steps` down the ladder, up if negative, and waits for the times to settle.
- * Returns `steps`. */
-static int move_on_ladder(tp_governor *g, int steps)
+/* Moves `steps` down the walk, up if negative, and waits for the times to settle.  Returns
+ * `steps`. */
+static int move_on_walk(tp_governor *g, int steps)
 {
     g->at += (uint32_t)steps;
     g->settling = SETTLE;
@@ -50,40 +33,73 @@ static int move_on_ladder(tp_governor *g, int steps)
     return steps;
 }
 
-/* True if the predicted time on the rung above leaves 1/8 of the limit free.  Times are
- * below 2^32, so the product fits 64 bits.  The prediction is limited to four times the
- * current mean: if the load fell during the step down, the measured ratio is too high and
- * must not prevent a step up for ever. */
-static bool can_raise_rung(const tp_governor *g)
+/* Returns the predicted time of the step above: by the times around the last step down, if
+ * it was a step by one, else by the estimated costs.  Times are below 2^32 and costs below 2^40;
+ * costs are divided by 2^16.  The prediction is limited to four times the current mean: if
+ * the load fell during the step down, the measured ratio is too high and must not prevent a
+ * step up for ever. */
+static uint64_t predict_raised_time(const tp_governor *g)
 {
-    TP_ASSERT(g->at > 0 && g->after[g->at] > 0);
+    TP_ASSERT(g->at > 0);
     const uint64_t most = 4 * (uint64_t)g->mean;
-    const uint64_t above = (uint64_t)g->mean * g->before[g->at] / g->after[g->at];
+    const bool measured = g->before[g->at] > 0 && g->after[g->at] > 0;
+    const uint64_t from = measured ? g->after[g->at] : (g->cost[g->at] >> 16) + 1;
+    const uint64_t to = measured ? g->before[g->at] : (g->cost[g->at - 1] >> 16) + 1;
+    const uint64_t above = (uint64_t)g->mean * to / from;
 
-    return (above < most ? above : most) <= g->limit - g->limit / 8;
+    return above < most ? above : most;
 }
 
-/* Processes a full window.  The first window on a rung measures the result of the step
- * down to that rung. */
+/* True if the predicted time leaves 1/8 of the limit free. */
+static bool can_raise(const tp_governor *g)
+{
+    return predict_raised_time(g) <= g->limit - g->limit / 8;
+}
+
+/* Returns the number of steps to the first one whose cost suggests a time within the
+ * limit, at least 1. */
+static uint32_t count_lowered_steps(const tp_governor *g)
+{
+    const uint64_t here = g->cost[g->at] >> 16;
+    uint32_t steps = 1;
+
+    while (g->at + steps + 1 < g->steps
+           && (g->cost[g->at + steps] >> 16) * g->mean > here * g->limit)
+        steps++;
+    return steps;
+}
+
+/* Steps down: by one to the step from which the governor came, else by the estimates.  The
+ * times around a step by one are the ratio of both. */
+static int lower(tp_governor *g)
+{
+    const uint32_t steps = g->raised ? 1 : count_lowered_steps(g);
+
+    g->before[g->at + steps] = steps == 1 ? g->mean : 0;
+    g->after[g->at + steps] = 0;
+    g->raised = false;
+    return move_on_walk(g, (int)steps);
+}
+
+/* Processes a full window.  The first one of a step measures the result of a step down. */
 static int evaluate_window(tp_governor *g)
 {
     if (g->at > 0 && g->after[g->at] == 0)
         g->after[g->at] = g->mean > 0 ? g->mean : 1;
     if (g->mean > g->limit) {
         g->calm = 0;
-        if (g->at + 1 >= g->ladder.count)
-            return 0;
-        g->before[g->at + 1] = g->mean;
-        g->after[g->at + 1] = 0;
-        return move_on_ladder(g, 1);
+        return g->at + 1 < g->steps ? lower(g) : 0;
     }
-    g->calm = g->at > 0 && can_raise_rung(g) ? g->calm + 1 : 0;
-    return g->calm >= CALM ? move_on_ladder(g, -1) : 0;
+    g->calm = g->at > 0 && can_raise(g) ? g->calm + 1 : 0;
+    if (g->calm < CALM)
+        return 0;
+    g->raised = true;
+    return move_on_walk(g, -1);
 }
 
 int tp_governor_add_frame_time(tp_governor *g, uint32_t took)
 {
-    if (g->limit == 0 || g->ladder.count < 2)
+    if (g->limit == 0 || g->steps < 2)
         return 0;
     if (g->settling > 0) {
         g->settling--;

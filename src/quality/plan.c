@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The quality plan for callers of the library: checks the scene and uses the measured
- * costs.  Frames call rungs.c directly, because tp_frame_init has already checked their
- * scene. */
-#include "quality/prices.h"
+/* The quality plan: checks the scene and chooses by the measured prices. */
+#include "quality/plan.h"
+#include "base/base.h"
 #include "world/module.h"
 
-/* The exact rungs can draw every scene. */
-static const tp_rungs exact = {
-    TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL
-};
+#define DRAWN_KINDS ~(1u << TP_KIND_mesh)
 
 static bool can_plan(const tp_plan_input *in)
 {
@@ -17,38 +13,41 @@ static bool can_plan(const tp_plan_input *in)
         && tp_scene_check(in->scene, NULL) == TP_OK;
 }
 
-/* Returns the input of a plan with the modules of tp_program_all; NULL assets: none. */
-static tp_plan_input make_input(const tp_scene *scene, const tp_assets *assets,
-                                uint32_t width, uint32_t height)
+bool tp_plan_view(tp_view_costs *view, const tp_scene *scene, const tp_assets *assets,
+                  uint32_t width, uint32_t height)
 {
     static const tp_assets none;
+    const tp_plan_input in = { tp_program_all.modules, scene, assets ? assets : &none, width,
+                               height };
 
-    return (tp_plan_input){ tp_program_all.modules, scene, assets ? assets : &none, width,
-                            height };
+    if (!can_plan(&in)) {
+        *view = (tp_view_costs){ .water = 0 };
+        return false;
+    }
+    tp_view_costs_make(view, &tp_prices_measured, &in);
+    return true;
 }
 
-tp_rungs tp_rungs_choose(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                         uint32_t height)
+/* Returns the budget of mean square error, Q16: omitted waves have their share. */
+static uint64_t square_budget(const tp_scene *scene, const tp_view_costs *view)
 {
-    const tp_plan_input in = make_input(scene, assets, width, height);
+    const int64_t all = scene->quality.error_colour, waves = view->culled.colour;
+    const int64_t square = all * all - waves * waves;
 
-    return can_plan(&in) ? tp_rungs_choose_priced(&tp_prices_measured, &in) : exact;
+    return square > 0 ? (uint64_t)square >> 16 : 0;
 }
 
-tp_plan_report tp_plan_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                            uint32_t height)
+tp_plan tp_plan_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
+                     uint32_t height)
 {
-    const tp_plan_input in = make_input(scene, assets, width, height);
+    tp_plan plan = { .open = 0 };
+    tp_view_costs view;
 
-    return can_plan(&in) ? tp_plan_make_priced(&tp_prices_measured, &in)
-                         : (tp_plan_report){ .rungs = exact };
-}
-
-tp_ladder tp_ladder_make(const tp_scene *scene, const tp_assets *assets, uint32_t width,
-                         uint32_t height)
-{
-    const tp_plan_input in = make_input(scene, assets, width, height);
-
-    return can_plan(&in) ? tp_ladder_make_priced(&tp_prices_measured, &in)
-                         : (tp_ladder){ .rung = { exact }, .count = 1 };
+    if (!tp_plan_view(&view, scene, assets, width, height))
+        return plan;
+    plan.set = tp_rung_set_named(scene, false, &plan.open);
+    plan.open &= DRAWN_KINDS;
+    tp_set_choose(&view, &plan.set, plan.open, square_budget(scene, &view));
+    plan.price = tp_set_price_estimate(&view, &plan.set);
+    return plan;
 }

@@ -10,11 +10,15 @@
 #ifndef TP_QUALITY_PRICES_H
 #define TP_QUALITY_PRICES_H
 #include "base/base.h"
-#include "quality/plan.h"
+#include "tidepool/assets.h"
 #include "tidepool/modules.h"
+#include "tidepool/scene.h"
 #include "waves/deep_water.h"
 #include "world/module.h"
 #include "world/pools.h"
+
+#define TP_KINDS 3              /* visibility, shading, rate */
+#define TP_KIND_RUNGS 4         /* most rungs of a kind */
 
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3 };
@@ -103,16 +107,6 @@ typedef struct {
 /* view_estimate.c: returns the conditions that decide if a module is on, with all shading
  * rungs allowed.  Chooses nothing itself. */
 tp_module_conditions tp_plan_module_conditions(const tp_plan_input *in);
-
-/* Compute the rungs and the plan with a given cost table. */
-tp_rungs tp_rungs_choose_priced(const tp_prices *prices, const tp_plan_input *in);
-tp_plan_report tp_plan_make_priced(const tp_prices *prices, const tp_plan_input *in);
-
-/* Returns the cost used to choose rungs.  The cost excludes the fixed cost: the rungs
- * hardly change the fixed cost, so only reports add it. */
-tp_price tp_price_estimate(const tp_prices *prices, const tp_plan_input *in);
-
-tp_ladder tp_ladder_make_priced(const tp_prices *prices, const tp_plan_input *in);
 
 /* True if a wave is culled or drawn lower, seen from the scene's camera. */
 bool tp_plan_culls_waves(const tp_plan_input *in);

@@ -13,7 +13,7 @@ typedef struct {
 
 #define AT(member) (uint16_t)offsetof(tp_scene, member)
 
-static const kind kinds[TP_RUNG_KINDS] = {
+static const kind kind_table[TP_RUNG_KINDS] = {
     [TP_KIND_VISIBILITY] = { "quality.visibility", AT(quality.visibility),
                              TP_VISIBILITIES },
     [TP_KIND_SHADING]    = { "quality.shading", AT(quality.shading), TP_SHADINGS },
@@ -29,33 +29,39 @@ static const kind kinds[TP_RUNG_KINDS] = {
 uint32_t tp_rung_kind_count(int of)
 {
     TP_ASSERT(of >= 0 && of < TP_RUNG_KINDS);
-    return kinds[of].count;
+    return kind_table[of].count;
 }
 
 const char *tp_rung_kind_row(int of)
 {
     TP_ASSERT(of >= 0 && of < TP_RUNG_KINDS);
-    return kinds[of].row;
+    return kind_table[of].row;
 }
 
 static int32_t *number_place(tp_scene *scene, int of)
 {
-    return (int32_t *)(void *)((uint8_t *)scene + kinds[of].at);
+    return (int32_t *)(void *)((uint8_t *)scene + kind_table[of].at);
+}
+
+void tp_rung_set_apply_some(tp_scene *scene, const tp_rung_set *set, uint32_t kinds)
+{
+    const uint8_t *of = set->of;
+
+    for (int k = 0; k < TP_KIND_mirror_size; k++)
+        if (kinds >> k & 1)
+            *number_place(scene, k) = of[k] + 1;
+    if (kinds >> TP_KIND_mirror_size & 1 && of[TP_KIND_mirror_size])
+        scene->mirror.size = TP_MIRROR_QUARTER;
+    if (kinds >> TP_KIND_vertices & 1 && of[TP_KIND_vertices])
+        scene->grid.vertices = (int32_t)(tp_fan_budget(scene) >> of[TP_KIND_vertices]);
 }
 
 void tp_rung_set_apply(tp_scene *scene, const tp_rung_set *set)
 {
-    const uint8_t *of = set->of;
     /* Walk has no price; a scene that names it keeps it. */
-    const int first = scene->quality.visibility == TP_VISIBILITY_WALK ? TP_KIND_SHADING
-                                                                      : TP_KIND_VISIBILITY;
+    const bool walks = scene->quality.visibility == TP_VISIBILITY_WALK;
 
-    for (int k = first; k < TP_KIND_mirror_size; k++)
-        *number_place(scene, k) = of[k] + 1;
-    if (of[TP_KIND_mirror_size])
-        scene->mirror.size = TP_MIRROR_QUARTER;
-    if (of[TP_KIND_vertices])
-        scene->grid.vertices = (int32_t)(tp_fan_budget(scene) >> of[TP_KIND_vertices]);
+    tp_rung_set_apply_some(scene, set, walks ? ~(1u << TP_KIND_VISIBILITY) : UINT32_MAX);
 }
 
 tp_rung_set tp_rung_set_named(const tp_scene *scene, bool drawing_rows, uint32_t *open)
@@ -67,10 +73,10 @@ tp_rung_set tp_rung_set_named(const tp_scene *scene, bool drawing_rows, uint32_t
         *open |= 1u << TP_KIND_mirror_size;
     for (int k = 0; k < TP_KIND_mirror_size; k++) {
         const int32_t named =
-            *(const int32_t *)(const void *)((const uint8_t *)scene + kinds[k].at);
+            *(const int32_t *)(const void *)((const uint8_t *)scene + kind_table[k].at);
         if (named == 0)
             *open |= 1u << k;
-        else if (named <= kinds[k].count)       /* walk has no price: as triangles */
+        else if (named <= kind_table[k].count)       /* walk has no price: as triangles */
             set.of[k] = (uint8_t)(named - 1);
     }
     return set;

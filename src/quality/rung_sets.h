@@ -39,6 +39,9 @@ const char *tp_rung_kind_row(int kind);
  * are named `exact`, except mirror.size and grid.vertices, which keep their values. */
 void tp_rung_set_apply(tp_scene *scene, const tp_rung_set *set);
 
+/* The same for some kinds, bits of a word: those that a scene leaves open. */
+void tp_rung_set_apply_some(tp_scene *scene, const tp_rung_set *set, uint32_t kinds);
+
 /* Returns the set that a scene names; kinds of `auto` have the exact rung, and their bit
  * of *open is set, as are those of mirror.size and grid.vertices if `drawing_rows`.  A
  * mirror of a quarter stays. */
@@ -68,6 +71,7 @@ enum { TP_SHARE_all, TP_SHARE_sky, TP_SHARE_water, TP_SHARE_mirrored, TP_SHARE_s
 /* A view with its costs: those of the exact effects, by each water renderer. */
 typedef struct tp_view_costs {
     tp_view_estimate estimate;
+    tp_wave_cull culled;        /* waves too faint to be drawn, at this camera */
     uint32_t water, other;      /* pixels of water that no object hides, and all others */
     bool     fast, clear;       /* fast stages can draw all water; the water is clear: fast
                                  * stages then need fast refraction */
@@ -106,6 +110,16 @@ typedef struct {
 /* `open`: bits of the kinds that may change. */
 void tp_set_walk_make(tp_set_walk *walk, const tp_view_costs *view, tp_rung_set from,
                       uint32_t open);
+
+/* Changes *set, the one that a scene names, to the cheapest set found with a mean square
+ * error of at most `most`, Q16, or of its own error if that is greater. */
+void tp_set_choose(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
+                   uint64_t most);
+
+/* Changes *set, the one that a scene names, to a set with a cost of at most `most`
+ * instructions: the first one of the walk, refined.  Returns false, and changes nothing, if
+ * the walk has none. */
+bool tp_set_fit(const tp_view_costs *view, tp_rung_set *set, uint32_t open, uint64_t most);
 
 /* Makes rungs of a set more exact again, as long as the cost stays within `most` and the
  * error falls. */

@@ -87,6 +87,80 @@ void tp_set_walk_make(tp_set_walk *walk, const tp_view_costs *view, tp_rung_set 
     } while (walk->count < TP_SET_STEPS && take_cheaper(view, &set, open));
 }
 
+/* Takes the change of one kind that saves most within the error; false: none saves. */
+static bool take_saving(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
+                        uint64_t most)
+{
+    tp_rung_set best = *set;
+    const uint64_t here = tp_set_price_estimate(view, set).cost;
+    uint64_t least = here;
+
+    for (int k = 0; k < TP_RUNG_KINDS; k++)
+        for (uint8_t r = 0; open >> k & 1 && r < tp_rung_kind_count(k); r++) {
+            const tp_rung_set to = changed(view, *set, k, r, open);
+            const tp_set_price price = tp_set_price_estimate(view, &to);
+            if (r != set->of[k] && is_known(view, k, r) && price.square <= most
+                && price.cost < least) {
+                best = to;
+                least = price.cost;
+            }
+        }
+    *set = best;
+    return least < here;
+}
+
+static void save_all(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
+                     uint64_t most)
+{
+    while (take_saving(view, set, open, most))
+        continue;
+}
+
+/* Makes a rung more exact and spends the error that this frees on others; takes the exchange
+ * that saves most.  Returns false if none saves. */
+static bool exchange(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
+                     uint64_t most)
+{
+    tp_rung_set best = *set;
+    const uint64_t here = tp_set_price_estimate(view, set).cost;
+    uint64_t least = here;
+
+    for (int k = 0; k < TP_RUNG_KINDS; k++)
+        for (uint8_t r = 0; open >> k & 1 && r < set->of[k]; r++) {
+            if (!is_known(view, k, r))
+                continue;
+            tp_rung_set to = changed(view, *set, k, r, open);
+            save_all(view, &to, open, most);
+            const tp_set_price price = tp_set_price_estimate(view, &to);
+            if (price.cost < least && price.square <= most) {
+                best = to;
+                least = price.cost;
+            }
+        }
+    *set = best;
+    return least < here;
+}
+
+void tp_set_choose(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
+                   uint64_t most)
+{
+    const tp_set_price from = tp_set_price_estimate(view, set);
+    const uint64_t limit = from.square > most ? from.square : most;
+    tp_rung_set at = *set;
+    uint64_t least = from.cost;
+
+    for (int i = 0; i < TP_SET_STEPS && take_cheaper(view, &at, open); i++) {
+        const tp_set_price price = tp_set_price_estimate(view, &at);
+        if (price.square <= limit && price.cost < least) {
+            *set = at;
+            least = price.cost;
+        }
+    }
+    save_all(view, set, open, limit);
+    while (exchange(view, set, open, limit))
+        continue;
+}
+
 void tp_set_refine(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
                    uint64_t most)
 {
@@ -107,4 +181,16 @@ void tp_set_refine(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
             return;
         *set = best;
     }
+}
+
+bool tp_set_fit(const tp_view_costs *view, tp_rung_set *set, uint32_t open, uint64_t most)
+{
+    tp_rung_set at = *set;
+
+    for (int i = 0; tp_set_price_estimate(view, &at).cost > most; i++)
+        if (i == TP_SET_STEPS || !take_cheaper(view, &at, open))
+            return false;
+    tp_set_refine(view, &at, open, most);
+    *set = at;
+    return true;
 }

@@ -56,16 +56,15 @@ static void set_parts(const tp_view_costs *view, const tp_plan_conditions *g,
                       uint64_t part[TP_PART_COUNT])
 {
     const tp_view_estimate *o = &g->estimate;
-    const tp_plan_choice c = { { visibility, 0, 0 } };
-    const tp_seen_price *seen = tp_plan_seen_price(g, c);
+    const int drawn = o->fits[visibility] ? visibility : 0;
+    const tp_seen_price *seen = &g->prices->seen[drawn];
     const tp_shaded_price *shaded = &g->prices->shaded[0][0];
     int64_t sum[TP_PART_COUNT] = { 0 };
 
     sum[TP_PART_frame] = (int64_t)g->prices->frame * 1000;
     sum[TP_PART_sky] = (int64_t)g->prices->sky * view->other;
     sum[TP_PART_visibility] = (int64_t)(o->still ? seen->still : seen->pixel) * view->water;
-    sum[TP_PART_vertices] = tp_plan_point_price(g, seen)
-                          * o->points[tp_plan_drawn_method(g, c)];
+    sum[TP_PART_vertices] = tp_plan_point_price(g, seen) * o->points[drawn];
     for (int i = 0; i < TP_TRAIT_COUNT; i++)
         sum[trait_part[i]] += (int64_t)o->trait[i] * shaded->part[i] * view->water;
     for (int i = 0; i < TP_WORK_COUNT; i++)
@@ -92,6 +91,7 @@ void tp_view_costs_make(tp_view_costs *view, const tp_prices *prices,
                                 ? works.hidden : g.estimate.water_pixels;
 
     view->estimate = g.estimate;
+    view->culled = g.culled;
     view->fast = !(g.estimate.modules & TP_MODULE_EXACT);
     view->clear = (g.estimate.modules & TP_MODULE_CLEAR) != 0;
     view->water = g.estimate.water_pixels - hidden;

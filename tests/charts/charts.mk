@@ -14,7 +14,7 @@ SPAN_SCENES := from-above three-swells
 SPAN_STEPS  := 0 1 8 16 32
 SPAN_O      := $(addprefix $(AT)/,span_scene.o span_steps.o span_true.o \
                    $(SPAN_STEPS:%=span_step_%.o))
-CHARTS      := $(addprefix $(AT)/,errors frames kernels plan_error pool_count \
+CHARTS      := $(addprefix $(AT)/,errors frames kernels pool_count \
                    pool_edges_count pools reference \
                    rough_fresnel stability visibility wave_cells $(SPAN_SCENES:%=span-%) \
                    $(SPAN_SCENES:%=span_errors-%) $(SCENES:%=board-%))
@@ -35,8 +35,6 @@ $(SCENES:%=$(AT)/board-%): \
 $(AT)/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
           $(filter-out %/kernels.o,$(KERNELS_O)) \
           $(AT)/used.o $(BUILD)/ports.a $(LIB)
-	$(SAY)$(LINK) $^ $(LIBS) -o $@
-$(AT)/plan_error: $(AT)/plan_error.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(AT)/rough_fresnel $(AT)/wave_cells: $(AT)/%: $(AT)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@

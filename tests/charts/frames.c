@@ -16,16 +16,16 @@
 #include "tests/lib/reference_difference.h"
 #include "tests/charts/picture.h"
 #include "tests/charts/words.h"
-#include "quality/prices.h"
+#include "app/scene/plan_sheet.h"
 
 #define FOLDER "assets/scenes/"
 
-enum { THREADS = 2, RUNGS = 16, WORDS_BYTES = 320 };
+enum { THREADS = 2, RUNGS = 16, WORDS_BYTES = 800 };
 
 static const char *const off[] = { REF_WITHOUT };
 
 /* Exact rung. Each other rung changes only the setting that it is named after, except the
- * planned rung and the rungs of the ladder. */
+ * plan's and the least. */
 #define EXACT "quality.visibility=triangles quality.shading=exact quality.rate=full " \
               "quality.error_px=0 quality.error_colour=0"
 
@@ -57,32 +57,31 @@ static void add_exact(rungs *all, const char *name, const char *more, bool there
         add(all, name, words);
 }
 
-static void add_planned(rungs *all, const char *name, tp_rungs r)
+static void add_set(rungs *all, const char *name, const tp_scene *scene,
+                    const tp_rung_set *set)
 {
-    static const char *const visibility[] = { "triangles", "rows", "projected", "flat" };
-    static const char *const rate[] = { "full", "layers", "colour" };
+    static const tp_rung_set exact = { .of = { 0 } };
     char words[WORDS_BYTES];
 
-    snprintf(words, sizeof words,
-             "quality.visibility=%s quality.shading=%s quality.rate=%s",
-             visibility[r.visibility - 1],
-             r.shading == TP_SHADING_QUICK ? "quick" : "exact", rate[r.rate - 1]);
-    add(all, name, words);
+    plan_write_changes(scene, &exact, set, words, sizeof words);
+    add_exact(all, name, words, true);
 }
 
-/* Lists the scene's rungs. The lowest is the last step of the ladder, where the frame
- * governor would end. */
+/* Lists the scene's rungs: the plan's are those of its error budget, the least those of the
+ * last step below it, where the frame governor would end. */
 static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t width,
                       uint32_t height)
 {
     const tp_plan_input in = { tp_program_all.modules, shipped, names, width, height };
     const tp_view_estimate o = tp_view_estimate_make(&in);
     const uint8_t *fits = o.fits;
-    tp_scene held = *shipped;
+    const tp_plan plan = tp_plan_make(shipped, names, width, height);
+    tp_view_costs view;
+    tp_set_walk walk;
     rungs all = { .count = 0 };
 
-    held.quality.frame_ms = TP_FX_ONE;
-    const tp_ladder ladder = tp_ladder_make(&held, names, width, height);
+    tp_view_costs_make(&view, &tp_prices_measured, &in);
+    tp_set_walk_make(&walk, &view, plan.set, plan.open);
     add_exact(&all, "exact", "", true);
     add_exact(&all, "rows", "quality.visibility=rows", fits[TP_VISIBILITY_ROWS - 1]);
     add_exact(&all, "projected", "quality.visibility=projected",
@@ -93,8 +92,8 @@ static rungs rungs_of(const tp_scene *shipped, const tp_assets *names, uint32_t 
     add_exact(&all, "quick", "quality.shading=quick", o.quick);
     add_exact(&all, "quick-layers", "quality.shading=quick quality.rate=layers", o.quick);
     add_exact(&all, "quick-colour", "quality.shading=quick quality.rate=colour", o.quick);
-    add_planned(&all, "plan", ladder.rung[0]);
-    add_planned(&all, "least", ladder.rung[ladder.count - 1]);
+    add_set(&all, "plan", shipped, &plan.set);
+    add_set(&all, "least", shipped, &walk.set[walk.count - 1]);
     return all;
 }
 

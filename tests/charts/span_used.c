@@ -26,7 +26,11 @@ static void read_scene(size_t i)
     if (loaded_scene_load(&s, &o))
         exit(EXIT_FAILURE);
     shipped[i].scene = s.file.scene;
-    shipped[i].rungs = tp_rungs_choose(&s.file.scene, &s.assets.names, 320, 240);
+    shipped[i].rungs = (tp_rungs){
+        (tp_visibility)(s.plan.set.of[TP_KIND_VISIBILITY] + 1),
+        (tp_shading)(s.plan.set.of[TP_KIND_SHADING] + 1),
+        (tp_rate)(s.plan.set.of[TP_KIND_RATE] + 1),
+    };
     loaded_scene_close(&s);
     free(path);
 }

@@ -3,7 +3,7 @@
 #ifndef TP_TESTS_CHARTS_SPAN_USED_H
 #define TP_TESTS_CHARTS_SPAN_USED_H
 #include <stdbool.h>
-#include "quality/plan.h"
+#include "frame/tools.h"
 
 typedef bool rungs_test(const tp_scene *scene, const tp_rungs *rungs, const void *of);
 

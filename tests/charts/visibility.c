@@ -76,11 +76,11 @@ typedef struct {
 static points points_of(const ref_stand *shipped, uint32_t width, uint32_t height)
 {
     const tp_scene *scene = &shipped->file.scene;
-    const tp_rungs r = tp_rungs_choose(scene, &shipped->assets.names, width, height);
+    const tp_plan plan = tp_plan_make(scene, &shipped->assets.names, width, height);
     points all = { .count = 0 };
 
     for (int m = 0; m < METHODS; m++) {
-        const bool chosen = (int)r.visibility == m + 1;
+        const bool chosen = plan.set.of[TP_KIND_VISIBILITY] == m;
         bool own = false;
         for (int g = 0; g < GRIDS; g++) {
             const bool same = grids[g] == scene->grid.vertices;

@@ -50,6 +50,8 @@ BEGIN {
           "interact=fixed/arithmetic.h interact=world/text.h interact=world/world.h " \
           "interact=world/pools.h interact=features/drops/drops.h " \
           "interact=features/exposure/exposure.h " \
+          "interact=features/foam/foam_visit.h interact=waves/coastal_tables.h " \
+          "interact=quality/plan.h " \
           "web=mesh/mesh.h web=base/base.h web=world/text.h web=world/world.h " \
           "web=frame/tools.h " \
           "web=pixel/pixel.h web=world/pools.h web=features/drops/drops.h", grants, " ")

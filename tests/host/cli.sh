@@ -193,22 +193,23 @@ fits plan three-swells --size 4096x4096 --set water.specular=4
 expect "plan of no scene" 2 "SCENE is missing" plan
 expect "plan of an unknown scene" 3 "did you mean three-swells?" plan three-swels
 run plan minimal --csv
-same "a plan as a table: a line each rung, the head, the total" \
-    "$code $(wc -l <out) $(awk -F, 'NF != 7' out | wc -l)" "0 11 0"
+same "a plan as a table: a line each kind, the head, exact and total" \
+    "$code $(wc -l <out) $(awk -F, 'NF != 5' out | wc -l)" "0 31 0"
 cp out table
 run plan minimal --csv
 same "the same plan again" "$(cat out)" "$(cat table)"
 run plan minimal --csv --set quality.shading=quick
 same "what the scene names is taken" \
-    "$(grep -c '^shading,quick,set by the scene,' out)" 1
+    "$(grep -c '^quality.shading,quick,named,' out)" 1
 run plan minimal --csv --visibility rows
 same "and what the command line names" \
-    "$(grep -c '^visibility,rows,set by the scene,' out)" 1
+    "$(grep -c '^quality.visibility,rows,named,' out)" 1
 # The plan's values of the world are settings that --set takes, at the cost that it says.
 run plan pond --csv
 same "a pond's ticks are in its plan" \
-    "$code $(grep -c '^tick,' out) $(awk -F, 'NF != 7' out | wc -l)" "0 4 0"
-awk -F, '$1 == "tick" { print $2 "," $4 }' out >ticks
+    "$code $(grep -c '^tick,' out) $(awk -F, 'NF != 5' out | wc -l)" "0 4 0"
+awk -F, '$1 == "tick" { if (!$2) now = $4
+    print $2 "," ($2 ? now - $4 : now) }' out >ticks
 while IFS=, read -r settings cost; do
     set --
     for setting in $settings; do set -- "$@" --set "$setting"; done

@@ -156,15 +156,15 @@ static void what_needs_memory_opens_the_canvas(void **state)
     loaded_scene_close(&stood);
 }
 
-/* Two heights of the eye with different rungs in the plan: among the waves, triangles. */
+/* Two error budgets with different rungs in the plan. */
 static void another_plan_opens_the_canvas(void **state)
 {
     (void)state;
     open_scene("assets/scenes/lava.ini");
-    assert_true(set("camera.y=0.3"));
+    assert_true(set("quality.error_colour=12"));
     steps(1);
-    assert_drawn_as_new("camera.y");
-    assert_false(set("camera.y=0.25"));
+    assert_drawn_as_new("quality.error_colour");
+    assert_false(set("quality.error_colour=12.001"));
     loaded_scene_close(&stood);
 }
 

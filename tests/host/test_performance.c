@@ -214,24 +214,42 @@ static void the_plan_follows_the_scene(void **state)
 {
     performance *f = performance_begin();
     performance_plan kept = { .made = false };
-    char word[32], want[64];
+    char want[64];
     loaded_scene s;
     (void)state;
     open_scene(&s, NULL, 0);
     performance_describe_scene(f, &kept, &s, NULL);
-    const tp_plan_report r = tp_plan_make(&s.file.scene, &s.assets.names, 160, 120);
+    const tp_plan plan = tp_plan_make(&s.file.scene, &s.assets.names, 160, 120);
     panel_performance p = shown_of(f, SECOND);
-    assert_memory_equal(p.plan, "visibility\t", 11);
-    plan_word(0, (int)r.rungs.visibility - 1, word);
-    snprintf(want, sizeof want, "*%s\t", word);
-    assert_non_null(strstr(p.plan, want));
-    snprintf(want, sizeof want, "in all\t%.2f M\t", (double)r.total.cost / 1e6);
-    assert_non_null(strstr(p.plan, want));
-    assert_int_equal(scene_file_set(&s.file, "quality.visibility=flat"), 0);
+    snprintf(want, sizeof want, "*0\t%.2f M, off ", (double)plan.price.cost / 1e6);
+    assert_memory_equal(p.plan, want, strlen(want));
+    assert_non_null(strstr(p.plan, "\tthe plan\n1\t"));
+    assert_non_null(strstr(p.plan, "\tquality."));
+    assert_int_equal(scene_file_set(&s.file, "quality.lines=half"), 0);
     performance_describe_scene(f, &kept, &s, NULL);
-    p = shown_of(f, SECOND);
-    assert_non_null(strstr(p.plan, "*flat\t"));
-    assert_non_null(strstr(p.plan, "set by the scene"));
+    assert_int_not_equal(strncmp(shown_of(f, SECOND).plan, want, strlen(want)), 0);
+    loaded_scene_close(&s);
+    performance_end(f);
+}
+
+/* With a board the plan is the board's, and the last line tells what it does. */
+static void a_board_is_told(void **state)
+{
+    const char *settings[] = { "quality.board=stm32f405", "quality.frame_ms=1000" };
+    performance *f = performance_begin();
+    performance_plan kept = { .made = false };
+    loaded_scene s;
+    (void)state;
+    open_scene(&s, settings, 2);
+    performance_describe_scene(f, &kept, &s, NULL);
+    const char *board = strstr(shown_of(f, SECOND).plan, "\n\tstm32f405: ");
+    assert_non_null(board);
+    assert_non_null(strstr(board, " pictures a second, keeps quality.frame_ms"));
+    loaded_scene_close(&s);
+    settings[1] = "quality.frame_ms=0.1";
+    open_scene(&s, settings, 2);
+    performance_describe_scene(f, &kept, &s, NULL);
+    assert_non_null(strstr(shown_of(f, SECOND).plan, "too slow for quality.frame_ms"));
     loaded_scene_close(&s);
     performance_end(f);
 }
@@ -246,15 +264,17 @@ static void a_governors_step_is_told(void **state)
     (void)state;
     open_scene(&s, settings, 2);
     frame_governor_begin(&g, &s);
-    assert_true(g.governor.ladder.count > 1);
+    assert_true(frame_governor_is_active(&g));
     performance_describe_scene(f, &kept, &s, &g);
-    assert_null(strstr(shown_of(f, SECOND).plan, "to hold frame_ms"));
+    assert_memory_equal(shown_of(f, SECOND).plan, "*0\t", 3);
     assert_float_equal(shown_of(f, SECOND).limit_ms, 4, 1e-3);
     for (uint32_t i = 0; i < 64 && g.governor.at == 0; i++)
         tp_governor_add_frame_time(&g.governor, 20000);
     assert_true(g.governor.at > 0);
     performance_describe_scene(f, &kept, &s, &g);
-    assert_non_null(strstr(shown_of(f, SECOND).plan, "to hold frame_ms"));
+    char star[16];
+    snprintf(star, sizeof star, "\n*%u\t", (unsigned)g.governor.at);
+    assert_non_null(strstr(shown_of(f, SECOND).plan, star));
     performance_describe_scene(f, &kept, &s, NULL);
     assert_float_equal(shown_of(f, SECOND).limit_ms, 16.6667, 1e-3);
     loaded_scene_close(&s);
@@ -302,6 +322,7 @@ int main(void)
         cmocka_unit_test(the_dearest_stages_come_first),
         cmocka_unit_test(memory_is_that_of_the_scene),
         cmocka_unit_test(the_plan_follows_the_scene),
+        cmocka_unit_test(a_board_is_told),
         cmocka_unit_test(a_governors_step_is_told),
         cmocka_unit_test(a_state_is_one_line),
         cmocka_unit_test(a_canvas_tells_its_two_parts),

@@ -14,6 +14,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "app/scene/machine.h"
+#include "quality/plan.h"
 #include "world/pools.h"
 #include "tests/lib/programs.h"
 #include "tests/lib/tilings.h"
@@ -202,7 +203,7 @@ static void assert_refused(const tp_scene *scene, const tp_assets *assets, tp_st
     memcpy(before, block, sizeof block);
     assert_false(tp_world_apply(&tp_program_all, world, scene, assets));
     assert_memory_equal(before, block, sizeof block);
-    assert_int_equal(tp_plan_make(scene, assets, 64, 48).total.cost, 0);
+    assert_int_equal(tp_plan_make(scene, assets, 64, 48).price.cost, 0);
 }
 
 /* -- drawn scenes ---------------------------------------------------------------------- */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The governor, driven by scripted frame times: the cost of each rung, and the load of each
+/* The governor, driven by scripted frame times: the cost of each step, and the load of each
  * frame. */
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,14 +11,16 @@
 
 static uint64_t chance;
 
-/* Rungs that differ only in their number. */
-static tp_ladder ladder_of(uint32_t count)
+static const uint32_t share[] = { 100, 70, 60, 30 };       /* cost of a step, percent */
+
+/* A walk whose estimates are `estimate`, percent. */
+static tp_set_walk walk_of(uint32_t count, const uint32_t estimate[])
 {
-    tp_ladder ladder = { .count = count };
+    tp_set_walk walk = { .count = count };
 
     for (uint32_t i = 0; i < count; i++)
-        ladder.rung[i].rate = (tp_rate)i;
-    return ladder;
+        walk.price[i].cost = (uint64_t)estimate[i] << 24;
+    return walk;
 }
 
 typedef struct {
@@ -28,18 +30,21 @@ typedef struct {
     uint32_t frame;
 } drive;
 
-static drive drive_of(uint32_t rungs, uint32_t limit)
+static drive drive_by(uint32_t steps, uint32_t limit, const uint32_t estimate[])
 {
-    const tp_ladder ladder = ladder_of(rungs);
+    const tp_set_walk walk = walk_of(steps, estimate);
     drive d = { .steps = 0 };
 
-    tp_governor_init(&d.governor, &ladder, limit);
+    tp_governor_init(&d.governor, &walk, limit);
     return d;
 }
 
-static const uint32_t share[] = { 100, 70, 60, 30 };       /* cost of a rung, percent */
+static drive drive_of(uint32_t steps, uint32_t limit)
+{
+    return drive_by(steps, limit, share);
+}
 
-/* Feeds frames.  `load`: time of the first rung, us; `noise`: variation in percent, up and
+/* Feeds frames.  `load`: time of the first step, us; `noise`: variation in percent, up and
  * down. */
 static void run(drive *d, uint32_t frames, uint32_t load, int32_t noise)
 {
@@ -47,7 +52,7 @@ static void run(drive *d, uint32_t frames, uint32_t load, int32_t noise)
         const int32_t swing = 100 + chance_int(&chance, -noise, noise);
         const int step = tp_governor_add_frame_time(
             &d->governor, load * share[d->governor.at] / 100 * (uint32_t)swing / 100);
-        assert_true(d->governor.at < d->governor.ladder.count);
+        assert_true(d->governor.at < d->governor.steps);
         d->steps += step != 0;
         d->down += step > 0;
         d->last = step ? d->frame : d->last;
@@ -61,10 +66,10 @@ static void a_limit_of_0_changes_nothing(void **state)
     (void)state;
     run(&d, 5000, 1000000, 50);
     assert_int_equal(d.steps, 0);
-    assert_int_equal(tp_governor_rungs(&d.governor).rate, 0);
+    assert_int_equal(d.governor.at, 0);
 }
 
-static void one_rung_is_never_left(void **state)
+static void one_step_is_never_left(void **state)
 {
     drive d = drive_of(1, 33000);
 
@@ -82,31 +87,34 @@ static void a_frame_within_the_limit_stays_as_planned(void **state)
     assert_int_equal(d.steps, 0);
 }
 
-static void it_settles_on_the_first_rung_that_keeps_the_limit(void **state)
+static void it_goes_at_once_to_the_first_step_that_keeps_the_limit(void **state)
 {
-    static const struct { uint32_t load, rung; } rows[] = {
+    static const struct { uint32_t load, step; } rows[] = {
         { 34000, 1 }, { 41000, 1 }, { 50000, 2 }, { 60000, 3 }, { 100000, 3 },
-        { 1000000, 3 },         /* no rung holds the budget */
+        { 1000000, 3 },         /* no step holds the limit */
     };
 
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         drive d = drive_of(4, 33000);
         run(&d, 6000, rows[i].load, 2);
-        assert_int_equal(d.governor.at, rows[i].rung);
-        assert_int_equal(d.steps, rows[i].rung);
-        assert_true(d.last < 40);               /* two thirds of a second */
+        assert_int_equal(d.governor.at, rows[i].step);
+        assert_int_equal(d.steps, 1);
+        assert_true(d.last < 10);               /* a window, and frames that settle */
     }
 }
 
-/* Holds for any load that stays within its noise. */
+/* Holds for any load that stays within its noise, and for any estimates of the costs. */
 static void it_does_not_swing(void **state)
 {
     (void)state;
     for (int i = 0; i < 500; i++) {
         const uint32_t load = 20000 + random_below(&chance, 130000);
-        drive d = drive_of(4, 33000);
-        run(&d, 600, load, 8);
+        uint32_t estimate[4] = { 100 };
+        for (int k = 1; k < 4; k++)
+            estimate[k] = 1 + random_below(&chance, estimate[k - 1]);
+        drive d = drive_by(4, 33000, estimate);
+        run(&d, 2000, load, 8);
         const uint32_t then = d.steps;
         run(&d, 6000, load, 8);
         assert_true(d.steps - then <= 2);       /* the last window may be on the limit */
@@ -134,10 +142,10 @@ static void it_comes_back_when_the_load_has_gone(void **state)
     assert_int_equal(d.governor.at, 3);
     run(&d, 400, 20000, 4);
     assert_int_equal(d.governor.at, 0);
-    assert_int_equal(d.steps, 6);
+    assert_int_equal(d.steps, 4);               /* down at once, up by single steps */
     run(&d, 600, 41000, 4);
     assert_int_equal(d.governor.at, 1);
-    assert_int_equal(d.steps, 7);
+    assert_int_equal(d.steps, 5);
 }
 
 /* The step was measured under a falling load, so the measurement must not last forever. */
@@ -162,8 +170,8 @@ static void any_times_are_safe(void **state)
         for (int k = 0; k < 2000; k++) {
             const int step =
                 tp_governor_add_frame_time(&d.governor, ends[random_below(&chance, 5)]);
-            assert_true(step >= -1 && step <= 1);
-            assert_true(d.governor.at < d.governor.ladder.count);
+            assert_true(step >= -1 && step <= 3);
+            assert_true(d.governor.at < d.governor.steps);
         }
     }
 }
@@ -172,9 +180,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_limit_of_0_changes_nothing),
-        cmocka_unit_test(one_rung_is_never_left),
+        cmocka_unit_test(one_step_is_never_left),
         cmocka_unit_test(a_frame_within_the_limit_stays_as_planned),
-        cmocka_unit_test(it_settles_on_the_first_rung_that_keeps_the_limit),
+        cmocka_unit_test(it_goes_at_once_to_the_first_step_that_keeps_the_limit),
         cmocka_unit_test(it_does_not_swing),
         cmocka_unit_test(one_late_frame_changes_nothing),
         cmocka_unit_test(it_comes_back_when_the_load_has_gone),

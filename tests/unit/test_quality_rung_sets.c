@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sets of rungs: kinds and rows agree with the table of parameters; prices are those of the
- * plan; walks get cheaper at each step, and their sets fit the scene. */
+/* Sets of rungs: kinds and rows agree with the table of parameters; prices are those of
+ * their parts; walks get cheaper at each step, and their sets fit the scene. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -91,26 +91,74 @@ static void kinds_of_auto_are_open(void **state)
 
 /* -- prices -------------------------------------------------------------------------- */
 
-/* The parts of a view sum to the plan's cost of the exact rungs, within the pixels that
- * objects hide and parts of a negative price; the exact set has no error. */
-static void parts_sum_to_the_plan(void **state)
+/* The exact set has no error, and costs what its parts cost, times their factors. */
+static void the_exact_set_costs_its_parts(void **state)
 {
     static const tp_rung_set exact = { .of = { 0 } };
 
     (void)state;
     for (int n = 0; n < 40; n++) {
-        tp_scene s = swells_any();
-        s.quality.visibility = TP_VISIBILITY_TRIANGLES;
-        s.quality.shading = TP_SHADING_EXACT;
-        s.quality.rate = TP_RATE_FULL;
+        const tp_scene s = swells_any();
         const tp_view_costs view = view_of(&s);
-        const tp_plan_report plan = tp_plan_make(&s, &none, 320, 240);
+        const tp_set_price price = tp_set_price_estimate(&view, &exact);
         uint64_t sum = 0;
-        for (int p = 0; p < TP_PART_tables; p++)
-            sum += view.part[0][p];
-        assert_in_range(sum, plan.total.cost * 98 / 100, plan.total.cost * 102 / 100);
-        assert_true(tp_set_price_estimate(&view, &exact).square == 0);
+        for (int p = 0; p < TP_PART_COUNT; p++)
+            sum += view.part[0][p] * tp_part_factors[0][p] >> 8;
+        assert_true(price.cost == sum && sum > 0);
+        assert_true(price.square == 0);
     }
+}
+
+/* -- choice -------------------------------------------------------------------------- */
+
+/* A chosen set keeps the error, costs no more than any set of the walk that keeps it, and no
+ * change of one kind is cheaper. */
+static void chosen_sets_are_cheapest_within_the_error(void **state)
+{
+    const uint32_t open = ~0u >> (32 - TP_RUNG_KINDS);
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = swells_any();
+        const tp_view_costs view = view_of(&s);
+        const tp_rung_set exact = { .of = { 0 } };
+        const uint64_t most = (uint64_t)chance_int(&chance, 0, 12 * 65536);
+        tp_rung_set set = exact;
+        tp_set_choose(&view, &set, open, most);
+        const tp_set_price price = tp_set_price_estimate(&view, &set);
+        assert_true(price.square <= most);
+        tp_set_walk_make(&walk, &view, exact, open);
+        for (uint32_t i = 0; i < walk.count; i++)
+            assert_true(walk.price[i].square > most || price.cost <= walk.price[i].cost);
+        for (int k = 0; k < TP_RUNG_KINDS; k++)
+            for (uint8_t r = 0; r < tp_rung_kind_count(k); r++) {
+                tp_rung_set to = set;
+                to.of[k] = r;
+                if (k == TP_KIND_VISIBILITY && !view.estimate.fits[r])
+                    continue;
+                const tp_set_price other = tp_set_price_estimate(&view, &to);
+                assert_true(other.square > most || other.cost >= price.cost);
+            }
+    }
+}
+
+static void sets_that_fit_a_cost_keep_it(void **state)
+{
+    const uint32_t open = ~0u >> (32 - TP_RUNG_KINDS);
+    uint32_t fit = 0;
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = swells_any();
+        const tp_view_costs view = view_of(&s);
+        tp_rung_set set = { .of = { 0 } };
+        const uint64_t most = (uint64_t)chance_int(&chance, 2000000, 40000000);
+        const bool fits = tp_set_fit(&view, &set, open, most);
+        assert_true((tp_set_price_estimate(&view, &set).cost <= most) == fits);
+        fit += fits;
+    }
+    printf("    %u of 40 fit\n", (unsigned)fit);
+    assert_true(fit > 4);
 }
 
 /* -- walks --------------------------------------------------------------------------- */
@@ -181,7 +229,9 @@ int main(void)
         cmocka_unit_test(every_kind_has_a_row_of_as_many_rungs),
         cmocka_unit_test(a_set_names_its_rows_and_is_read_from_them),
         cmocka_unit_test(kinds_of_auto_are_open),
-        cmocka_unit_test(parts_sum_to_the_plan),
+        cmocka_unit_test(the_exact_set_costs_its_parts),
+        cmocka_unit_test(chosen_sets_are_cheapest_within_the_error),
+        cmocka_unit_test(sets_that_fit_a_cost_keep_it),
         cmocka_unit_test(each_step_is_cheaper),
         cmocka_unit_test(kinds_that_are_not_open_stay),
         cmocka_unit_test(refined_sets_err_less_and_stay_within_the_cost),

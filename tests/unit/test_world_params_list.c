@@ -197,6 +197,10 @@ static const struct {
     { "quality.exposure", "auto", TP_RUNG_AUTO },
     { "quality.exposure", "exact", TP_RUNG_EXACT },
     { "quality.exposure", "fast", TP_RUNG_FAST },
+    { "quality.board", "none", TP_BOARD_none },
+#define X(name) { "quality.board", #name, TP_BOARD_##name },
+    TP_BOARD_LIST(X)
+#undef X
 };
 
 enum { WORDS = sizeof words / sizeof words[0] };

@@ -75,6 +75,16 @@ static tp_world *cleared_world(const tp_scene *scene, size_t *bytes)
     return world;
 }
 
+static void walk_of(tp_set_walk *walk, const tp_scene *scene, const way *w)
+{
+    tp_view_costs view;
+    uint32_t open;
+    const tp_rung_set from = tp_rung_set_named(scene, true, &open);
+
+    assert_true(tp_plan_view(&view, scene, NULL, w->wide, w->high));
+    tp_set_walk_make(walk, &view, from, open);
+}
+
 /* Returns the CRC of the world after TICKS ticks, drawn now and then as `w` says. */
 static uint32_t crc_of(world_rungs by, const way *w)
 {
@@ -82,15 +92,16 @@ static uint32_t crc_of(world_rungs by, const way *w)
     tp_scene scene = rough_water(by);
     const tp_config config = { .width = w->wide, .height = w->high };
     test_frame f = { .frame = NULL };
+    static tp_set_walk walk;
     tp_governor governor;
     size_t bytes;
 
     set_way(&scene, w);
     tp_world *world = cleared_world(&scene, &bytes);
     if (w->wide) {
-        const tp_ladder ladder = tp_ladder_make(&scene, NULL, w->wide, w->high);
+        walk_of(&walk, &scene, w);
         f = frame_of(&scene, NULL, &config);
-        tp_governor_init(&governor, &ladder, w->governed ? 1 : 0);
+        tp_governor_init(&governor, &walk, w->governed ? 1 : 0);
     }
     for (int tick = 1; tick <= TICKS; tick++) {
         tp_world_step(&tp_program_all, world, &scene,
@@ -100,9 +111,11 @@ static uint32_t crc_of(world_rungs by, const way *w)
         frame_draw_picture(&f, world, pixels);
         for (int k = 0; w->governed && k < 40; k++)     /* slow frames: down the ladder */
             tp_governor_add_frame_time(&governor, 100);
-        const tp_rungs rungs = tp_governor_rungs(&governor);
-        if (w->governed)
-            tp_frame_set_rungs(f.frame, &rungs);
+        if (w->governed) {
+            tp_rung_set_apply(&scene, &walk.set[governor.at]);
+            frame_free(&f);
+            f = frame_of(&scene, NULL, &config);
+        }
     }
     const uint32_t crc = tp_crc32(0, world, bytes);
     if (w->wide)

@@ -4,7 +4,7 @@
 #define TP_APP_CLI_ARGS_H
 #include <stdbool.h>
 #include <stdint.h>
-#include "app/scene/boards.h"
+#include "interact/boards.h"
 #include "app/scene/machine.h"
 #include "tidepool/frame.h"
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* tidepool plan: prints for each rung of a scene its cost, error and bytes, and the reason
- * why the rung was chosen or not. */
+/* tidepool plan: prints the rungs of a scene's plan, with what each saves and adds. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,102 +18,90 @@
 #define SPEED (MHZ * 1000000ull * 10 / 13)      /* instructions per second */
 
 typedef struct {
-    loaded_scene     *loaded;
-    plan_sheet sheet;
-    world_rungs world;
+    loaded_scene *loaded;
+    plan_sheet    sheet;
+    world_rungs   world;
 } plan;
+
+static double millions(double n)
+{
+    return n / 1e6;
+}
 
 /* -- output for programs ------------------------------------------------------------- */
 
 static void print_csv(const plan *p)
 {
-    char word[32], px[24], colour[24];
-    const tp_plan_report *r = &p->sheet.report;
+    const plan_sheet *sheet = &p->sheet;
 
-    puts("kind,rung,why,instructions,error_px,error_colour,bytes");
-    for (int k = 0; k < TP_KINDS; k++)
-        for (int i = 0; i < r->rung_count[k]; i++) {
-            const tp_rung_report *rung = &r->rung[k][i];
-            plan_word(k, i, word);
-            printf("%s,%s,%s,", plan_kind[k], word, plan_why[rung->why]);
-            if (rung->price.known)
-                printf("%" PRIu64 ",%s,%s", rung->price.cost,
-                       plan_number(rung->price.error_px, px),
-                       plan_number(rung->price.error_colour, colour));
-            else
-                printf(",,");
-            printf(",%zu\n", p->sheet.bytes[k][i]);
-        }
+    puts("kind,rung,why,saves,adds");
+    for (int k = 0; k < TP_RUNG_KINDS; k++) {
+        const plan_kind kind = plan_sheet_kind(sheet, &p->loaded->file.scene, k);
+        printf("%s,%s,%s,%.0f,%.2f\n", tp_rung_kind_row(k), kind.word,
+               kind.named ? "named" : "chosen", kind.saves, kind.adds);
+    }
     if (p->world.now.mean)
-        printf("tick,,,%" PRIu64 ",,,\n", p->world.now.mean);
+        printf("tick,,now,%" PRIu64 ",\n", p->world.now.mean);
     for (int i = 0; i < p->world.count; i++)
-        printf("tick,%s,changes the world,%" PRIu64 ",,,\n", p->world.rung[i].text,
-               p->world.rung[i].cost.mean);
-    printf("total,,,%" PRIu64 ",%s,%s,%zu\n", r->total.cost,
-           plan_number(r->total.error_px, px),
-           plan_number(r->total.error_colour, colour),
-           p->loaded->renderer.frame_bytes + p->loaded->renderer.scratch_bytes);
+        printf("tick,%s,changes the world,%" PRIu64 ",\n", p->world.rung[i].text,
+               p->world.now.mean - p->world.rung[i].cost.mean);
+    printf("exact,,,%" PRIu64 ",0.00\n", sheet->exact.cost);
+    printf("total,,,%" PRIu64 ",%.2f\n", sheet->plan.price.cost,
+           plan_error(sheet->plan.price));
 }
 
 /* -- output for people --------------------------------------------------------------- */
 
 static void print_head(const plan *p, const options *o)
 {
-    const tp_plan_report *r = &p->sheet.report;
+    const tp_view_costs *v = &p->sheet.view;
     const tp_scene *scene = &p->loaded->file.scene;
-    char px[24], colour[24];
+    const uint32_t waves = v->culled.left, faint = v->estimate.waves - waves;
+    const board_frame *frame = &p->loaded->frame;
 
     printf("%s, %ux%u: about %u pixels of water, %u vertices, %u wave%s",
            p->loaded->file.name, (unsigned)o->width, (unsigned)o->height,
-           (unsigned)r->water_pixels, (unsigned)r->vertices, (unsigned)r->waves,
-           r->waves == 1 ? "" : "s");
-    if (r->waves_dropped)
-        printf(" (%u more too faint)", (unsigned)r->waves_dropped);
-    printf("\nbudget: outlines %s px, colours %s of 255 rms\n\n",
-           plan_number(scene->quality.error_px, px),
-           plan_number(scene->quality.error_colour, colour));
-    printf("%-10s  %-9s %8s %6s %6s %9s  %s\n", "", "", "M instr", "px", "colour",
-           "bytes", "why");
+           (unsigned)v->water, (unsigned)v->estimate.vertices, (unsigned)waves,
+           waves == 1 ? "" : "s");
+    if (faint)
+        printf(" (%u more too faint)", (unsigned)faint);
+    if (frame->board)
+        printf("\nfor %s, %.3g ms a picture: %s\n", frame->board->name,
+               frame->frame_us / 1000.0, p->sheet.real_time ? "kept" : "not kept");
+    else
+        printf("\nbudget: %.2f of 255 rms beyond the exact picture\n",
+               scene->quality.error_colour / 65536.0);
+    printf("the exact picture: %.2f M instructions\n\n",
+           millions((double)p->sheet.exact.cost));
+    printf("%-20s %-10s %8s %6s\n", "row", "rung", "saves M", "adds");
 }
 
-static void print_rung(const plan *p, int kind, int i)
+/* Prints the kinds with a cheaper rung. */
+static void print_kinds(const plan *p)
 {
-    const tp_rung_report *rung = &p->sheet.report.rung[kind][i];
-    const bool taken = rung->why == TP_WHY_CHOSEN || rung->why == TP_WHY_NAMED;
-    char word[32], px[24] = "-", colour[24] = "-", cost[24] = "-";
-
-    plan_word(kind, i, word);
-    if (rung->price.known) {
-        plan_number(rung->price.error_px, px);
-        plan_number(rung->price.error_colour, colour);
-        snprintf(cost, sizeof cost, "%.2f", (double)rung->price.cost / 1e6);
+    for (int k = 0; k < TP_RUNG_KINDS; k++) {
+        const plan_kind kind = plan_sheet_kind(&p->sheet, &p->loaded->file.scene, k);
+        if (p->sheet.plan.set.of[k])
+            printf("%-20s %-10s %8.2f %6.2f  %s\n", tp_rung_kind_row(k), kind.word,
+                   millions(kind.saves), kind.adds, kind.named ? "set by the scene" : "");
     }
-    printf("%-10s %c%-9s %8s %6s %6s %9zu  %s\n", i ? "" : plan_kind[kind],
-           taken ? '*' : ' ', word, cost, px, colour, p->sheet.bytes[kind][i],
-           plan_why[rung->why]);
 }
 
 static void print_total(const plan *p)
 {
-    const tp_plan_report *r = &p->sheet.report;
     const tp_ram_use ram = tp_frame_ram(p->loaded->renderer.frame);
-    const double cost = (double)r->total.cost;
-    char px[24], colour[24];
+    const tp_set_price price = p->sheet.plan.price;
+    const double cost = (double)price.cost, water = p->sheet.view.water;
 
-    if (r->total.known)
-        printf("\nin all: %.2f M instructions a frame, %.0f a water pixel; off %s px,"
-               " %s\nestimate: %.1f frames/s at %d MHz if an instruction takes "
-               CPI " cycles\n", cost / 1e6, r->water_pixels ? cost / r->water_pixels : 0,
-               plan_number(r->total.error_px, px),
-               plan_number(r->total.error_colour, colour),
-               r->total.cost ? (double)SPEED / cost : 0, MHZ);
-    else
-        puts("\nin all: unknown, because a rung has no measured cost yet");
+    printf("\nin all: %.2f M instructions a frame, %.0f a water pixel; off %.2f of 255\n"
+           "estimate: %.1f frames/s at %d MHz if an instruction takes " CPI " cycles\n",
+           millions(cost), water > 0 ? cost / water : 0, plan_error(price),
+           cost > 0 ? (double)SPEED / cost : 0, MHZ);
     printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu),\n  a tile's scratch"
            " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
            ram.scratch, p->loaded->world_bytes);
     puts("Instructions: one frame on a Cortex-M4 at the scene's start, without ticks."
-         "\nErrors: the largest measured, beyond those of the exact rungs.");
+         "\nErrors: rms beyond the exact picture, kept by 95 of 100 views; see --ladder.");
 }
 
 /* Prints settings in a line; of a group of rows only the first has the group's name. */
@@ -168,15 +155,13 @@ static int run(const options *o)
     } else if (!code && o->ladder) {
         code = plan_ladder_print(&s, o);
     } else if (!code) {
-        p.sheet = plan_sheet_make(&s);
+        plan_sheet_make(&p.sheet, &s);
         p.world = world_rungs_find(&s);
-        if (o->csv)
+        if (o->csv) {
             print_csv(&p);
-        else {
+        } else {
             print_head(&p, o);
-            for (int k = 0; k < TP_KINDS; k++)
-                for (int i = 0; i < p.sheet.report.rung_count[k]; i++)
-                    print_rung(&p, k, i);
+            print_kinds(&p);
             print_total(&p);
             print_world(&p.world);
         }

@@ -4,10 +4,11 @@
 #include "plan_ladder.h"
 #include <inttypes.h>
 #include <stdio.h>
+#include "app/scene/scene_plan.h"
 #include "app/scene/world_rungs.h"
 #include "ladder_pictures.h"
 
-enum { TICKS_A_SECOND = 60, FPS = 10, LEAST_DB = 28 };
+enum { FPS = 1000000 / BOARD_FRAME_US };
 
 static double millions(uint64_t n)
 {
@@ -22,7 +23,7 @@ static void print_csv(const set_ladder *ladder, uint64_t tick)
     for (uint32_t i = 0; i < ladder->count; i++) {
         const ladder_step *s = &ladder->step[i];
         printf("%u,%s,%.2f,%.2f,%zu,%.2f,%.2f,%.1f\n", (unsigned)i, s->choices,
-               millions(s->frame), millions(tick), s->ram, s->added, s->total, s->db);
+               millions(s->price.cost), millions(tick), s->ram, s->added, s->total, s->db);
     }
 }
 
@@ -42,7 +43,7 @@ static void print_steps(const set_ladder *ladder, const loaded_scene *s, uint64_
            s->file.name, millions(tick));
     for (uint32_t i = 0; i < ladder->count; i++) {
         const ladder_step *l = &ladder->step[i];
-        printf("%4u %8.2f %7zu %6.2f %6.2f %6.1f ", (unsigned)i, millions(l->frame),
+        printf("%4u %8.2f %7zu %6.2f %6.2f %6.1f ", (unsigned)i, millions(l->price.cost),
                l->ram / 1024, l->added, l->total, l->db);
         if (i)
             print_change(&ladder->step[i - 1], l);
@@ -57,7 +58,7 @@ static uint64_t tick_estimate(const loaded_scene *s)
 {
     tick_cost tick = { 0 };
 
-    return tick_cost_estimate(&s->file.scene, &s->assets.names, &tick) ? tick.mean : 0;
+    return world_rungs_tick(&s->file.scene, &s->assets.names, &tick) ? tick.mean : 0;
 }
 
 int plan_ladder_print(const loaded_scene *s, const options *o)
@@ -97,7 +98,7 @@ static void print_board_csv(const plan_board *b, uint32_t fps, uint64_t tick,
 {
     puts("board,fps,real_time,choices,frame_m,tick_m,ram,added,db");
     printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%.2f,%.1f\n", b->name, (unsigned)fps,
-           real_time ? "yes" : "no", step->choices, millions(step->frame), millions(tick),
+           real_time ? "yes" : "no", step->choices, millions(step->price.cost), millions(tick),
            step->ram, step->added, step->db);
 }
 
@@ -116,8 +117,8 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
                         uint64_t tick, const ladder_step *step, bool real_time)
 {
     const plan_board *b = o->board;
-    const uint64_t left = b->speed > TICKS_A_SECOND * tick
-                              ? b->speed - TICKS_A_SECOND * tick : 0;
+    const board_frame second = { b, 1000000, tick };
+    const uint64_t left = board_frame_budget(&second);
 
     printf("%s on %s (%s, %u MHz, %.0f M instructions a second; %s)\n"
            "multiplies %s; %s\n\n",
@@ -125,9 +126,9 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
            b->speed_from, b->multiplier, b->source);
     printf("real time, %u pictures and %d ticks a second: %s; at most %.1f pictures\n",
            (unsigned)fps, TICKS_A_SECOND, real_time ? "yes" : "no",
-           step->frame ? (double)left / (double)step->frame : 0);
+           step->price.cost ? (double)left / (double)step->price.cost : 0);
     printf("a picture %.2f M, a tick %.2f M instructions; off by %.2f of 255, %.1f dB\n",
-           millions(step->frame), millions(tick), step->added, step->db);
+           millions(step->price.cost), millions(tick), step->added, step->db);
     printf("RAM %zu of %u KB in tiles of %ux%u%s\n", step->ram / 1024,
            (unsigned)b->ram / 1024, (unsigned)o->strip ? (unsigned)o->strip
                                                        : (unsigned)o->width,
@@ -139,34 +140,18 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
         print_world(s);
 }
 
-/* Sets *step to the last step of the ladder that keeps 28 dB on its pictures. */
-static int find_best(set_ladder *ladder, const options *o, ladder_step *step)
-{
-    const int code = ladder_pictures_measure(ladder->step, ladder->count, o, false);
-
-    *step = ladder->step[0];
-    for (uint32_t i = 1; i < ladder->count; i++)
-        if (ladder->step[i].db >= LEAST_DB)
-            *step = ladder->step[i];
-    return code;
-}
-
 int plan_board_print(const loaded_scene *s, const options *o)
 {
-    static set_ladder ladder;
-    const plan_board *b = o->board;
     const uint32_t fps = o->fps ? o->fps : FPS;
-    const uint64_t tick = tick_estimate(s), ticks = TICKS_A_SECOND * tick;
-    const uint64_t most = b->speed > ticks ? (b->speed - ticks) / fps : 0;
-    ladder_step step;
+    const board_frame frame = { o->board, 1000000 / fps, tick_estimate(s) };
+    bool real_time;
+    const tp_plan plan = scene_plan_make(s, &frame, o->width, o->height, &real_time);
+    ladder_step step = set_ladder_step(s, &plan);
+    const int code = ladder_pictures_measure(&step, 1, o, false);
 
-    set_ladder_find(&ladder, s, o->width, o->height);
-    const bool real_time = set_ladder_within(&ladder, s, o->width, o->height, most, &step);
-    const int code = real_time ? ladder_pictures_measure(&step, 1, o, false)
-                               : find_best(&ladder, o, &step);
     if (!code && o->csv)
-        print_board_csv(b, fps, tick, &step, real_time);
+        print_board_csv(o->board, fps, frame.tick, &step, real_time);
     else if (!code)
-        print_board(s, o, fps, tick, &step, real_time);
+        print_board(s, o, fps, frame.tick, &step, real_time);
     return code;
 }

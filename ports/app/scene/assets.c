@@ -126,13 +126,13 @@ static int load_grey(asset_set *a, tp_grey *grey, const char *path, const char *
 
 /* -- the scene ----------------------------------------------------------------------- */
 
-/* Replaces *path of an OBJ by that of the mesh of quality.mesh, if the file exists.
+/* Replaces *path of an OBJ by that of the mesh of its rung, if the file exists.
  * Returns an exit code. */
-static int choose_mesh(const scene_file *file, char **path)
+static int choose_mesh(const asset_set *a, const scene_file *file, char **path)
 {
     static const char *const ends[] = { [TP_MESH_MIDDLE] = "-mid.obj",
                                         [TP_MESH_LOW] = "-low.obj" };
-    const int32_t rung = file->scene.quality.mesh;
+    const int32_t named = file->scene.quality.mesh, rung = named ? named : a->options.mesh;
     if (rung < TP_MESH_MIDDLE || !path_ends(*path, ".obj"))
         return EXIT_DONE;
     const size_t stem = strlen(*path) - strlen(".obj"), end = strlen(ends[rung]);
@@ -160,7 +160,7 @@ static int load(asset_set *a, const scene_file *file, const char *name, void *in
     if (!path)
         return log_fail_memory(sizeof text);
     scene_file_who(file, param, who, sizeof who);
-    int code = param->kind == TP_PARAM_MESH ? choose_mesh(file, &path) : EXIT_DONE;
+    int code = param->kind == TP_PARAM_MESH ? choose_mesh(a, file, &path) : EXIT_DONE;
     if (!code)
         code = param->kind == TP_PARAM_MESH ? assets_mesh(a, into, path, who,
                                                           file->scene.boat.scale)

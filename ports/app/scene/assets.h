@@ -15,6 +15,7 @@ typedef struct {
     uint32_t texels;            /* bound of a texture's sides, texels; 0: none */
     bool     strict;            /* refuse a mesh with missing or faulty files */
     bool     quiet;             /* no warnings about meshes: an earlier load printed them */
+    int32_t  mesh;              /* rung of the boat's mesh, if the scene leaves it open */
 } assets_options;
 
 typedef struct {

@@ -43,53 +43,98 @@ void frame_renderer_plan(frame_renderer *c, const tp_config *config, uint32_t th
     c->machine = machine_list(&programs);
 }
 
+/* Returns the scene as drawn: rows that the scene leaves open have the plan's rungs. */
+static tp_scene drawn_scene(const tp_plan *plan, const tp_scene *scene)
+{
+    tp_scene drawn = *scene;
+
+    tp_rung_set_apply_some(&drawn, &plan->set, plan->open);
+    return drawn;
+}
+
 void frame_renderer_measure(frame_renderer *c, const tp_scene *scene,
                             const tp_assets *assets)
 {
+    const tp_scene drawn = drawn_scene(&c->plan, scene);
+
     c->program = *c->machine->program;
     if (c->stream)
         c->program.method.triangles = &tp_method_streamed;
     c->config.program = &c->program;
     c->config.assets = assets;
-    c->frame_bytes = tp_frame_bytes(&c->config, scene);
-    c->scratch_bytes = c->threads * tp_frame_scratch_bytes(&c->config, scene);
+    c->frame_bytes = tp_frame_bytes(&c->config, &drawn);
+    c->scratch_bytes = c->threads * tp_frame_scratch_bytes(&c->config, &drawn);
 }
 
-static int allocate(frame_renderer *c)
+/* Takes the memory of the frame and of the scene as drawn. */
+static int allocate_frame(frame_renderer *c)
 {
-    const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
     c->block = malloc(c->frame_bytes);
-    c->picture.rows = malloc(picture_bytes);
-    bool there = c->block && c->picture.rows;
+    c->drawn = malloc(sizeof *c->drawn);
+    bool there = c->block && c->drawn;
     for (uint32_t i = 0; i < c->threads; i++) {
         c->scratch[i] = malloc(c->scratch_bytes / c->threads);
         there = there && c->scratch[i];
     }
-    if (!there)
-        return log_fail_memory(c->frame_bytes + c->scratch_bytes + picture_bytes);
+    return there ? EXIT_DONE : log_fail_memory(c->frame_bytes + c->scratch_bytes);
+}
+
+static void free_frame(frame_renderer *c)
+{
+    for (uint32_t i = 0; i < c->threads; i++)
+        free(c->scratch[i]);
+    free(c->block);
+    free(c->drawn);
+}
+
+static int init_frame(frame_renderer *c)
+{
+    tp_error err = { 0 };
+
+    *c->drawn = drawn_scene(&c->plan, c->scene);
+    if (tp_frame_init(&c->frame, &c->config, c->drawn, c->block, c->frame_bytes, &err))
+        return log_fail_error("tidepool", &err);
     return EXIT_DONE;
 }
 
 int frame_renderer_open(frame_renderer *c, const tp_scene *scene, const tp_assets *assets)
 {
+    const size_t picture_bytes = c->picture.row_bytes * c->picture.height;
+
+    c->scene = scene;
     frame_renderer_measure(c, scene, assets);
-    const int code = allocate(c);
-    if (code)
+    int code = allocate_frame(c);
+    c->picture.rows = malloc(picture_bytes);
+    if (!code && !c->picture.rows)
+        code = log_fail_memory(picture_bytes);
+    code = code ? code : init_frame(c);
+    if (!code)
+        c->pool = thread_pool_open(c->threads - 1);
+    return code;
+}
+
+int frame_renderer_set_rungs(frame_renderer *c, const tp_rung_set *set)
+{
+    frame_renderer with = *c;
+
+    with.plan.set = *set;
+    frame_renderer_measure(&with, c->scene, c->config.assets);
+    const int code = allocate_frame(&with);
+    if (code) {
+        free_frame(&with);
         return code;
-    tp_error err = { 0 };
-    if (tp_frame_init(&c->frame, &c->config, scene, c->block, c->frame_bytes, &err))
-        return log_fail_error("tidepool", &err);
-    c->pool = thread_pool_open(c->threads - 1);
-    return EXIT_DONE;
+    }
+    free_frame(c);
+    *c = with;
+    c->config.program = &c->program;
+    return init_frame(c);
 }
 
 void frame_renderer_close(frame_renderer *c)
 {
     thread_pool_close(c->pool);
-    for (uint32_t i = 0; i < c->threads; i++)
-        free(c->scratch[i]);
+    free_frame(c);
     free(c->picture.rows);
-    free(c->block);
     *c = (frame_renderer){ 0 };
 }
 
@@ -138,6 +183,7 @@ void frame_renderer_draw(frame_renderer *c, const tp_world *world)
     atomic_init(&all.taken, 0);
     atomic_init(&all.water_pixels, 0);
     const uint64_t begin = now_us();
+    *c->drawn = drawn_scene(&c->plan, c->scene);
     tp_frame_begin(c->frame, world);
     const uint64_t middle = now_us();
     thread_pool_run(c->pool, draw_tiles, &all);

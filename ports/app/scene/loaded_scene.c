@@ -7,6 +7,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "pool/pool.h"
+#include "scene_plan.h"
 #include "set_ladder.h"
 #include "world/text.h"
 #include "world/world.h"
@@ -82,10 +83,11 @@ void loaded_scene_report_clamps(const scene_file *file, const tp_deep_water *dee
     report_noise(file, &file->scene.field, "field.courant");
 }
 
-int loaded_scene_load_assets(asset_set *a, const scene_file *file, const options *o)
+int loaded_scene_load_assets(const loaded_scene *s, asset_set *a, const options *o)
 {
-    return assets_load(a, file, &(assets_options){
-        .texels = o->texels, .strict = o->strict, .quiet = o->quiet });
+    return assets_load(a, &s->file, &(assets_options){
+        .texels = o->texels, .strict = o->strict, .quiet = o->quiet,
+        .mesh = s->plan.set.of[TP_KIND_mesh] + 1 });
 }
 
 int loaded_scene_load(loaded_scene *s, const options *o)
@@ -93,9 +95,9 @@ int loaded_scene_load(loaded_scene *s, const options *o)
     memset(s, 0, sizeof *s);
     int code = loaded_scene_read(&s->file, o);
     if (!code)
-        code = loaded_scene_load_assets(&s->assets, &s->file, o);
-    if (!code && o->stepped)
-        code = set_ladder_take(s, o, o->step);
+        code = loaded_scene_load_assets(s, &s->assets, o);
+    if (!code)
+        code = o->stepped ? set_ladder_take(s, o, o->step) : scene_plan_take(s, o);
     if (!code)
         code = loaded_scene_make_world(s);
     if (!code && !o->quiet)
@@ -190,14 +192,9 @@ int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
     frame_renderer_plan(c, &config, o->threads);
     if (o->machine)
         c->machine = o->machine;
+    c->plan = scene_plan_renew(s, o->width, o->height);
     choose_store(c, &s->file.scene, &a->names, world_bytes, o);
     return check_memory(s, c, a, world_bytes, o->memory);
-}
-
-tp_ladder loaded_scene_ladder(const loaded_scene *s)
-{
-    return tp_ladder_make(&s->file.scene, &s->assets.names, s->renderer.config.width,
-                          s->renderer.config.height);
 }
 
 int loaded_scene_open_renderer(loaded_scene *s, const options *o)
@@ -205,7 +202,8 @@ int loaded_scene_open_renderer(loaded_scene *s, const options *o)
     frame_renderer_close(&s->renderer);
     const int code =
         loaded_scene_plan_renderer(s, o, &s->assets, s->world_bytes, &s->renderer);
-    s->ladder = loaded_scene_ladder(s);
+    s->frame = scene_plan_board_frame(s);
+    s->plan = s->renderer.plan;
     return code ? code
                 : frame_renderer_open(&s->renderer, &s->file.scene, &s->assets.names);
 }

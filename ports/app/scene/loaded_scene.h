@@ -6,6 +6,7 @@
 #include "app/cli/args.h"
 #include "assets.h"
 #include "frame_renderer.h"
+#include "interact/boards.h"
 #include "quality/plan.h"
 #include "scene_file.h"
 #include "waves/deep_water.h"
@@ -16,7 +17,8 @@ typedef struct {
     tp_world  *world;           /* in a block of world_bytes */
     size_t     world_bytes;
     frame_renderer renderer;
-    tp_ladder  ladder;          /* ladder at the time the renderer was opened */
+    board_frame frame;          /* of the board that the scene named when it was loaded */
+    tp_plan    plan;            /* rungs of the rows that the scene leaves open */
 } loaded_scene;
 
 /* Each function returns an exit code, and prints the reason of a failure; the caller calls
@@ -67,7 +69,9 @@ int loaded_scene_set_all(loaded_scene *s, const options *o,
 
 /* -- shared by loaded_scene.c and loaded_scene_set.c --------------------------------- */
 
-int  loaded_scene_load_assets(asset_set *a, const scene_file *file, const options *o);
+/* Loads the assets of the scene; the boat's mesh is the plan's, if the scene leaves it
+ * open. */
+int  loaded_scene_load_assets(const loaded_scene *s, asset_set *a, const options *o);
 
 /* Returns a world at tick 0, which the caller frees.  NULL: no memory, or impossible for
  * the scene; *err has the reason. */
@@ -79,5 +83,4 @@ void loaded_scene_take_world(loaded_scene *s, tp_world *world, size_t bytes);
  * --memory does not suffice. */
 int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
                                const asset_set *a, size_t world_bytes, frame_renderer *c);
-tp_ladder loaded_scene_ladder(const loaded_scene *s);
 #endif

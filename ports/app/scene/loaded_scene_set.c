@@ -6,6 +6,7 @@
 #include "app/files/log.h"
 #include "interact/setting.h"
 #include "loaded_scene.h"
+#include "scene_plan.h"
 #include "world/text.h"
 
 #define LATER EXIT_CHECK        /* refused by the present scene, without a message */
@@ -54,7 +55,7 @@ static int load_anew(const loaded_scene *s, change *c)
     asset_set *loaded = calloc(1, sizeof *loaded);
     if (!loaded)
         return log_fail_memory(sizeof *loaded);
-    if (loaded_scene_load_assets(loaded, &s->file, c->o)) {
+    if (loaded_scene_load_assets(s, loaded, c->o)) {
         free(loaded);
         return EXIT_INPUT;
     }
@@ -119,13 +120,15 @@ static int try_change(loaded_scene *s, change *c, const loaded_scene_value *valu
 
 /* -- applying the change ------------------------------------------------------------- */
 
-/* True if the ladder changes.  Frames get their plan when opened: calm water that becomes
- * rough may need other rungs. */
-static bool changes_plan(const loaded_scene *s)
+/* True if the plan or a row of quality changes.  Frames have memory for their own rungs
+ * only. */
+static bool changes_rungs(const loaded_scene *s)
 {
-    const tp_ladder now = loaded_scene_ladder(s);
-    return now.count != s->ladder.count
-        || memcmp(now.rung, s->ladder.rung, now.count * sizeof *now.rung) != 0;
+    const frame_renderer *now = &s->renderer;
+    const tp_plan plan = scene_plan_renew(s, now->config.width, now->config.height);
+
+    return plan.open != now->plan.open
+        || memcmp(&plan.set, &now->plan.set, sizeof plan.set) != 0;
 }
 
 static bool needs_canvas(const loaded_scene *s, const change *c)
@@ -135,7 +138,7 @@ static bool needs_canvas(const loaded_scene *s, const change *c)
         return false;
     return c->result != SETTING_DONE || setting_is_grid(c->param)
         || setting_is_wall(c->param, &s->assets.names)
-        || c->frame_bytes != now->frame_bytes || changes_plan(s);
+        || c->frame_bytes != now->frame_bytes || changes_rungs(s);
 }
 
 /* Applies the change.  Only lack of memory for the frame renderer can still fail. */

@@ -1,74 +1,75 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan_sheet.h"
-#include <inttypes.h>
-#include <stdio.h>
+#include <math.h>
 #include <string.h>
+#include "interact/plan_text.h"
+#include "scene_plan.h"
 #include "world/text.h"
 
-const char *const plan_kind[TP_KINDS] = { "visibility", "shading", "rate" };
+#define MESH (1u << TP_KIND_mesh)
 
-const char *const plan_why[] = {
-    [TP_WHY_CHOSEN] = "chosen", [TP_WHY_NAMED] = "set by the scene",
-    [TP_WHY_OTHER_NAMED] = "the scene sets another", [TP_WHY_ERROR] = "over the budget",
-    [TP_WHY_COST] = "no cheaper", [TP_WHY_UNKNOWN] = "no measured cost yet",
-    [TP_WHY_UNFIT] = "not for this scene",
-};
-
-static void name_rungs(tp_scene *scene, tp_rungs rungs)
+double plan_error(tp_set_price price)
 {
-    scene->quality.visibility = (int32_t)rungs.visibility;
-    scene->quality.shading = (int32_t)rungs.shading;
-    scene->quality.rate = (int32_t)rungs.rate;
+    return sqrt((double)price.square / 65536);
 }
 
-static tp_rungs with(tp_rungs rungs, int kind, int rung)
+static void make_view(tp_view_costs *view, const loaded_scene *s)
 {
-    switch (kind) {
-    case 0:  rungs.visibility = (tp_visibility)(rung + 1); break;
-    case 1:  rungs.shading = (tp_shading)(rung + 1); break;
-    default: rungs.rate = (tp_rate)(rung + 1); break;
-    }
-    return rungs;
+    const tp_config *config = &s->renderer.config;
+
+    tp_plan_view(view, &s->file.scene, &s->assets.names, config->width, config->height);
 }
 
-int plan_rung(tp_rungs rungs, int kind)
+void plan_sheet_make_walk(tp_set_walk *walk, const loaded_scene *s)
 {
-    const int rung[TP_KINDS] = { (int)rungs.visibility, (int)rungs.shading,
-                                 (int)rungs.rate };
-    return rung[kind] - 1;
+    const tp_plan *plan = &s->renderer.plan;
+    tp_view_costs view;
+
+    make_view(&view, s);
+    tp_set_walk_make(walk, &view, plan->set, plan->open & ~MESH);
 }
 
-plan_sheet plan_sheet_make(const loaded_scene *s)
+void plan_sheet_make(plan_sheet *p, const loaded_scene *s)
 {
-    const tp_assets *named = &s->assets.names;
-    tp_config config = s->renderer.config;
-    tp_scene scene = s->file.scene;
-    plan_sheet p = { .report = tp_plan_make(&scene, named, config.width, config.height) };
+    const tp_config *config = &s->renderer.config;
+    const tp_rung_set exact = { .of = { 0 } };
 
-    config.program = &tp_program_all;
-    config.assets = named;
-    for (int k = 0; k < TP_KINDS; k++)
-        for (int i = 0; i < p.report.rung_count[k]; i++) {
-            name_rungs(&scene, with(p.report.rungs, k, i));
-            p.bytes[k][i] =
-                tp_frame_bytes(&config, &scene) + tp_frame_scratch_bytes(&config, &scene);
-        }
-    return p;
+    p->plan = scene_plan_make(s, &s->frame, config->width, config->height, &p->real_time);
+    p->plan.set.of[TP_KIND_mesh] = s->plan.set.of[TP_KIND_mesh];
+    make_view(&p->view, s);
+    p->plan.price = tp_set_price_estimate(&p->view, &p->plan.set);
+    p->exact = tp_set_price_estimate(&p->view, &exact);
+    tp_set_walk_make(&p->walk, &p->view, p->plan.set, p->plan.open & ~MESH);
 }
 
-const char *plan_number(tp_fx x, char text[24])
+static void write_word(const tp_scene *scene, int kind, char *word, size_t bytes)
 {
-    const int64_t hundredths = ((int64_t)x * 100 + 0x8000) >> 16;
-    snprintf(text, 24, "%" PRId64 ".%02d", hundredths / 100, (int)(hundredths % 100));
-    return text;
+    const char *name = tp_rung_kind_row(kind);
+
+    tp_param_text(scene, tp_param_find(name, strlen(name)), word, bytes);
 }
 
-void plan_word(int kind, int rung, char word[32])
+plan_kind plan_sheet_kind(const plan_sheet *p, const tp_scene *scene, int kind)
 {
-    const tp_param *row;
-    char name[32];
+    tp_scene drawn = *scene;
+    tp_rung_set without = p->plan.set;
 
-    snprintf(name, sizeof name, "quality.%s", plan_kind[kind]);
-    row = tp_param_find(name, strlen(name));
-    tp_param_number_text(row, rung + 1, word, 32);
+    without.of[kind] = 0;
+    tp_rung_set_apply(&drawn, &p->plan.set);
+    const tp_set_price price = tp_set_price_estimate(&p->view, &without);
+    const double more = (double)p->plan.price.square - (double)price.square;
+    plan_kind of = { .named = !(p->plan.open >> kind & 1),
+                     .saves = (double)price.cost - (double)p->plan.price.cost,
+                     .adds = more > 0 ? sqrt(more / 65536) : 0 };
+    write_word(&drawn, kind, of.word, sizeof of.word);
+    return of;
+}
+
+void plan_write_changes(const tp_scene *scene, const tp_rung_set *from,
+                        const tp_rung_set *to, char *text, size_t bytes)
+{
+    plan_text rows = { text, bytes, 0 };
+
+    plan_text_add(&rows, "");
+    plan_text_add_changes(&rows, scene, from, to);
 }

@@ -9,7 +9,7 @@
 
 typedef struct {
     tp_rung_set set;
-    uint64_t frame;             /* instructions of a frame, the plan's estimate */
+    tp_set_price price;         /* of a frame, by estimate */
     size_t   ram;               /* frame, scratch and world of a baked program in RGB565 */
     char     choices[640];      /* rows unlike the exact ones, apart by spaces */
     double   added, db;         /* rms, of 255, and PSNR against the exact picture */
@@ -26,10 +26,8 @@ typedef struct {
 void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
                      uint32_t height);
 
-/* Sets *step to the first step within `most` instructions, its rungs made exact again where
- * there is room.  Returns false if no step is within them. */
-bool set_ladder_within(const set_ladder *ladder, const loaded_scene *s, uint32_t width,
-                       uint32_t height, uint64_t most, ladder_step *step);
+/* Returns the step of a plan. */
+ladder_step set_ladder_step(const loaded_scene *s, const tp_plan *plan);
 
 /* Finds step `at` of the scene for pictures of o's size, and sets the scene's rows to it.
  * Returns EXIT_INPUT, with the number of steps, if there is no such step. */

@@ -104,12 +104,24 @@ static void sort_last(world_rungs *to)
     }
 }
 
+bool world_rungs_tick(const tp_scene *scene, const tp_assets *assets, tick_cost *cost)
+{
+    size_t bytes;
+    tp_world *world = loaded_scene_new_world(scene, assets, &bytes, &(tp_error){ 0 });
+
+    if (!world)
+        return false;
+    *cost = tick_cost_estimate(world, scene);
+    free(world);
+    return true;
+}
+
 /* Adds the changed scene if its world can be made and its ticks cost less. */
 static bool add_rung(world_rungs *to, const loaded_scene *s, const tp_scene *scene, bool all)
 {
     world_rung *rung = &to->rung[to->count];
 
-    if (!tick_cost_estimate(scene, &s->assets.names, &rung->cost)
+    if (!world_rungs_tick(scene, &s->assets.names, &rung->cost)
         || rung->cost.mean >= to->now.mean)
         return false;
     write_settings(&s->file.scene, scene, rung->text, sizeof rung->text);
@@ -127,7 +139,7 @@ world_rungs world_rungs_find(const loaded_scene *s)
     tp_scene all = *scene;
 
     if ((scene->pool.cols == 0 && scene->field.cols == 0 && scene->foam.cells == 0)
-        || !tick_cost_estimate(scene, &s->assets.names, &found.now))
+        || !world_rungs_tick(scene, &s->assets.names, &found.now))
         return found;
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         tp_scene changed = *scene;

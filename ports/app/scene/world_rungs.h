@@ -4,7 +4,7 @@
 #ifndef TP_APP_SCENE_WORLD_RUNGS_H
 #define TP_APP_SCENE_WORLD_RUNGS_H
 #include "loaded_scene.h"
-#include "tick_cost.h"
+#include "interact/tick_cost.h"
 
 #define WORLD_RUNGS 12
 
@@ -19,6 +19,9 @@ typedef struct {
     world_rung rung[WORLD_RUNGS];
     int        count;           /* 0: the scene has neither pools nor foam */
 } world_rungs;
+
+/* Estimates a tick of a new world of the scene; false: the scene makes no world. */
+bool world_rungs_tick(const tp_scene *scene, const tp_assets *assets, tick_cost *cost);
 
 /* Finds the rungs of a scene that make a tick cheaper and that its checks accept, each
  * alone, the cheapest first, and last all together if there are several.  Runs a second of

@@ -43,72 +43,66 @@ struct comparison {
 
 /* -- choice of the other picture ----------------------------------------------------- */
 
-static const tp_rungs exact = { TP_VISIBILITY_TRIANGLES, TP_SHADING_EXACT, TP_RATE_FULL };
-
-static tp_rungs choose_rungs(compare_against against)
+/* Returns the rungs of the other picture, with the mesh that is loaded: those of the loaded
+ * scene with triangles, or exact rungs but one. */
+static tp_rung_set choose_rungs(compare_against against, const loaded_scene *s)
 {
-    tp_rungs r = exact;
+    const tp_rung_set *own = &s->renderer.plan.set;
+    tp_rung_set set = { .of = { [TP_KIND_mesh] = own->of[TP_KIND_mesh] } };
 
     switch (against) {
-    case AGAINST_ROWS:      r.visibility = TP_VISIBILITY_ROWS; break;
-    case AGAINST_PROJECTED: r.visibility = TP_VISIBILITY_PROJECTED; break;
-    case AGAINST_FLAT:      r.visibility = TP_VISIBILITY_FLAT; break;
-    case AGAINST_LAYERS:    r.rate = TP_RATE_LAYERS; break;
-    case AGAINST_COLOUR:    r.rate = TP_RATE_COLOUR; break;
-    default:                break;
+    case AGAINST_TRIANGLES:
+        set = *own;
+        set.of[TP_KIND_VISIBILITY] = TP_VISIBILITY_TRIANGLES - 1;
+        break;
+    case AGAINST_ROWS:
+        set.of[TP_KIND_VISIBILITY] = TP_VISIBILITY_ROWS - 1;
+        break;
+    case AGAINST_PROJECTED:
+        set.of[TP_KIND_VISIBILITY] = TP_VISIBILITY_PROJECTED - 1;
+        break;
+    case AGAINST_FLAT:
+        set.of[TP_KIND_VISIBILITY] = TP_VISIBILITY_FLAT - 1;
+        break;
+    case AGAINST_LAYERS: set.of[TP_KIND_RATE] = TP_RATE_LAYERS - 1; break;
+    case AGAINST_COLOUR: set.of[TP_KIND_RATE] = TP_RATE_COLOUR - 1; break;
+    default:             break;
     }
-    if (against == AGAINST_QUICK || r.rate != TP_RATE_FULL)
-        r.shading = TP_SHADING_QUICK;
-    return r;
+    if (against == AGAINST_QUICK || set.of[TP_KIND_RATE])
+        set.of[TP_KIND_SHADING] = TP_SHADING_QUICK - 1;
+    return set;
 }
 
-static tp_rungs rungs_of_stage(const loaded_scene *s)
+static bool same_rungs(const tp_rung_set *a, const tp_rung_set *b)
 {
-    return tp_rungs_choose(&s->file.scene, &s->assets.names, s->renderer.picture.width,
-                           s->renderer.picture.height);
-}
-
-static bool same_rungs(tp_rungs a, tp_rungs b)
-{
-    return a.visibility == b.visibility && a.shading == b.shading && a.rate == b.rate;
+    return memcmp(a, b, sizeof *a) == 0;
 }
 
 static void name_rungs(comparison *c, const loaded_scene *s)
 {
-    const bool mine = c->against == AGAINST_TRIANGLES;
-    const tp_rungs own = rungs_of_stage(s);
-    tp_rungs r = mine ? own : choose_rungs(c->against);
+    const tp_rung_set set = choose_rungs(c->against, s);
 
-    if (mine)
-        r.visibility = TP_VISIBILITY_TRIANGLES;
-    c->same = same_rungs(r, own);
-    c->scene.quality.visibility = (int32_t)r.visibility;
-    c->scene.quality.shading = (int32_t)r.shading;
-    c->scene.quality.rate = (int32_t)r.rate;
-    c->scene.quality.frame_ms = 0;
-    if (!mine)
-        c->scene.quality.error_px = c->scene.quality.error_colour = 0;
+    c->same = same_rungs(&set, &s->renderer.plan.set);
+    tp_rung_set_apply_some(&c->scene, &set, UINT32_MAX);
 }
 
-/* Makes a plan with every choice open: its report marks the rungs unfit for the scene. */
-static bool is_unfit(const loaded_scene *s, tp_rungs r)
+/* True if the view or a feature of the scene rules the rungs out: exact ones are drawn. */
+static bool is_unfit(const loaded_scene *s, compare_against against)
 {
     const picture *p = &s->renderer.picture;
-    tp_scene open = s->file.scene;
+    const tp_rung_set set = choose_rungs(against, s);
+    tp_view_costs view;
 
-    open.quality.visibility = TP_VISIBILITY_AUTO;
-    open.quality.shading = TP_SHADING_AUTO;
-    open.quality.rate = TP_RATE_AUTO;
-    const tp_plan_report plan = tp_plan_make(&open, &s->assets.names, p->width, p->height);
-    return plan.rung[0][r.visibility - 1].why == TP_WHY_UNFIT
-        || plan.rung[1][r.shading - 1].why == TP_WHY_UNFIT;
+    tp_plan_view(&view, &s->file.scene, &s->assets.names, p->width, p->height);
+    return !view.estimate.fits[set.of[TP_KIND_VISIBILITY]]
+        || (set.of[TP_KIND_SHADING] && !tp_set_is_fast(&view, &set));
 }
 
 static void judge(comparison *c, const loaded_scene *s)
 {
     if (c->judged || now_us() - c->judged_at < JUDGE_US)
         return;
-    c->unfit = is_unfit(s, choose_rungs(c->against));
+    c->unfit = is_unfit(s, c->against);
     c->judged = true;
     c->judged_at = now_us();
 }
@@ -116,9 +110,9 @@ static void judge(comparison *c, const loaded_scene *s)
 compare_against compare_usual(const loaded_scene *s)
 {
     if (s->renderer.picture.format != TP_FORMAT_XRGB8888
-        || !same_rungs(rungs_of_stage(s), exact))
+        || s->renderer.plan.price.square > 0)
         return AGAINST_EXACT;
-    return is_unfit(s, choose_rungs(AGAINST_QUICK)) ? AGAINST_REFERENCE : AGAINST_QUICK;
+    return is_unfit(s, AGAINST_QUICK) ? AGAINST_REFERENCE : AGAINST_QUICK;
 }
 
 /* -- memory -------------------------------------------------------------------------- */

@@ -7,6 +7,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "frame/tools.h"
+#include "interact/plan_text.h"
 #include "world/world.h"
 
 /* A text that grows; text beyond its size is cut off. */
@@ -76,60 +77,55 @@ static void follow(performance_plan *kept, const loaded_scene *s)
     kept->width = config->width;
     kept->height = config->height;
     memcpy(&kept->scene, &s->file.scene, sizeof kept->scene);
-    kept->sheet = plan_sheet_make(s);
+    plan_sheet_make(&kept->sheet, s);
 }
 
-static bool is_governed(const frame_governor *g)
+/* Adds "4, 12.31 M, off 3.12: quality.light=fast"; the star marks the step drawn now. */
+static void add_step(performance_sheet *to, const plan_sheet *p, const tp_scene *scene,
+                     uint32_t i, uint32_t drawn)
 {
-    return g && g->governor.limit > 0 && g->governor.ladder.count > 1;
+    char price[64], rows[640] = "the plan";
+    plan_text text = { price, sizeof price, 0 };
+
+    plan_text_add_price(&text, p->walk.price[i]);
+    if (i > 0)
+        plan_write_changes(scene, &p->walk.set[i - 1], &p->walk.set[i], rows, sizeof rows);
+    add(to, "%s%s%u\t%s\t%s", to->length ? "\n" : "", i == drawn ? "*" : "", (unsigned)i,
+        price, rows);
 }
 
-/* Adds "visibility, *rows, 1.34 M, 1.20 MB, chosen"; the star marks the rung drawn now. */
-static void add_rung(performance_sheet *to, const plan_sheet *p, int kind, int i, int drawn)
+/* Adds what the scene's board does with the plan's picture. */
+static void add_board(performance_sheet *to, const plan_sheet *p, const board_frame *frame)
 {
-    const tp_rung_report *rung = &p->report.rung[kind][i];
-    const bool stepped = i == drawn && i != plan_rung(p->report.rungs, kind);
-    char word[32], cost[32] = "";
+    char board[128];
+    plan_text text = { board, sizeof board, 0 };
 
-    plan_word(kind, i, word);
-    if (rung->price.known)
-        snprintf(cost, sizeof cost, "%.2f M, ", (double)rung->price.cost / 1e6);
-    add(to, "%s%s\t%s%s\t%s%.2f MB, %s", to->length ? "\n" : "", i ? "" : plan_kind[kind],
-        i == drawn ? "*" : "", word, cost, (double)p->bytes[kind][i] / 1e6,
-        stepped ? "to hold frame_ms" : plan_why[rung->why]);
+    if (!frame->board)
+        return;
+    plan_text_add_board(&text, frame, p->plan.price, p->real_time);
+    add(to, "\n\t%s", board);
 }
 
-static void add_total(performance_sheet *to, const tp_plan_report *r)
-{
-    char px[24], colour[24];
-
-    if (r->total.known)
-        add(to, "\nin all\t%.2f M\tinstructions of a Cortex-M4",
-            (double)r->total.cost / 1e6);
-    add(to, "\noff\t%s px\tand %s of 255 rms", plan_number(r->total.error_px, px),
-        plan_number(r->total.error_colour, colour));
-}
-
-static void tell_plan(performance *f, const plan_sheet *p, tp_rungs drawn)
+static void tell_plan(performance *f, const performance_plan *kept, const loaded_scene *s,
+                      uint32_t drawn)
 {
     performance_sheet to = { .length = 0 };
 
-    for (int k = 0; k < TP_KINDS; k++)
-        for (int i = 0; i < p->report.rung_count[k]; i++)
-            add_rung(&to, p, k, i, plan_rung(drawn, k));
-    add_total(&to, &p->report);
+    for (uint32_t i = 0; i < kept->sheet.walk.count; i++)
+        add_step(&to, &kept->sheet, &s->file.scene, i, drawn);
+    add_board(&to, &kept->sheet, &s->frame);
     performance_set_text(f, PERFORMANCE_PLAN, to.text);
 }
 
 void performance_describe_scene(performance *f, performance_plan *kept,
                                 const loaded_scene *s, const frame_governor *g)
 {
+    const bool governed = g && frame_governor_is_active(g);
+
     follow(kept, s);
-    performance_set_limit(f, is_governed(g) ? (float)g->governor.limit / 1000
-                                            : 1000.0f / 60);
+    performance_set_limit(f, governed ? (float)g->governor.limit / 1000 : 1000.0f / 60);
     tell_memory(f, s);
-    tell_plan(f, &kept->sheet, is_governed(g) ? tp_governor_rungs(&g->governor)
-                                              : kept->sheet.report.rungs);
+    tell_plan(f, kept, s, governed ? g->governor.at : 0);
 }
 
 /* -- the world ----------------------------------------------------------------------- */

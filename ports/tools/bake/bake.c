@@ -229,34 +229,21 @@ static void put_all(const bake *b, const options *o, const loaded_scene *s)
 
 /* -- baked layers of fast shading ---------------------------------------------------- */
 
-/* The size of picture assumed for the plan, a board's; the index of shading among the kinds
- * of rung in the plan's report. */
-enum { WIDTH = 320, HEIGHT = 240, SHADING = 1 };
-
-static bool may_be_quick(const tp_scene *scene, const tp_assets *names)
-{
-    const tp_ladder ladder = tp_ladder_make(scene, names, WIDTH, HEIGHT);
-    return tp_ladder_rung_mask(&ladder).shading >> TP_SHADING_QUICK & 1;
-}
-
-/* True if fast shading fits the scene.  The plan reports TP_WHY_UNFIT only for a setting
- * that the scene leaves open: the copy of the scene sets shading to AUTO. */
-static bool is_quick_fit(const tp_scene *scene, const tp_assets *names)
-{
-    tp_scene open = *scene;
-
-    open.quality.shading = TP_SHADING_AUTO;
-    const tp_plan_report report = tp_plan_make(&open, names, WIDTH, HEIGHT);
-    return report.rung[SHADING][TP_SHADING_QUICK - 1].why != TP_WHY_UNFIT;
-}
+/* The size of picture assumed for the plan, a board's. */
+enum { WIDTH = 320, HEIGHT = 240 };
 
 /* True if nothing reads the layers after baking: all water is drawn by fast stages, and no
  * exposure meter reads the first layer.  The texture of ripples stays: the surface from
  * below needs the texture. */
-static bool is_all_quick(const tp_scene *scene, const tp_assets *names)
+static bool is_all_quick(const tp_scene *scene, const tp_assets *names, const options *o)
 {
-    return scene->quality.shading == TP_SHADING_QUICK && scene->quality.frame_ms == 0
-           && scene->hdr.exposure == TP_EXPOSURE_FIXED && is_quick_fit(scene, names);
+    uint32_t open;
+    tp_view_costs view;
+    const tp_rung_set set = tp_rung_set_named(scene, false, &open);
+
+    return scene->hdr.exposure == TP_EXPOSURE_FIXED
+           && tp_plan_view(&view, scene, names, o->width, o->height)
+           && tp_set_is_fast(&view, &set);
 }
 
 static const tp_texture **baked_texture_slot(tp_assets *names, int i)
@@ -274,12 +261,12 @@ static void drop_layers(tp_assets *names)
 }
 
 /* Adds baked layers to *names.  `memory` and `made` hold them; the caller frees memory. */
-static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_BAKED_LAYERS],
-                   tp_texture made[TP_BAKED_LAYERS])
+static int prepare(tp_assets *names, const tp_scene *scene, const options *o,
+                   void *memory[TP_BAKED_LAYERS], tp_texture made[TP_BAKED_LAYERS])
 {
     const tp_assets from = *names;
 
-    if (!may_be_quick(scene, names))
+    if (scene->quality.shading != TP_SHADING_QUICK)
         return EXIT_DONE;
     for (int i = 0; i < TP_BAKED_LAYERS; i++) {
         const size_t bytes = tp_baked_layer_bytes(&from, i);
@@ -291,7 +278,7 @@ static int prepare(tp_assets *names, const tp_scene *scene, void *memory[TP_BAKE
         tp_bake_layer(&made[i], scene, &from, i, memory[i]);
         *baked_texture_slot(names, i) = &made[i];
     }
-    if (is_all_quick(scene, &from))
+    if (is_all_quick(scene, &from, o))
         drop_layers(names);
     return EXIT_DONE;
 }
@@ -327,10 +314,12 @@ static int run(loaded_scene *s, const options *o)
         code = loaded_scene_load(s, o);
     if (code)
         return code;
+    if (bake_has_program(o))    /* the plan is for one size */
+        tp_rung_set_apply_some(&s->file.scene, &s->plan.set, s->plan.open);
     make_identifier(o->name ? o->name : s->file.name, name);
     const tp_assets all = s->assets.names;
     bake_program program;
-    code = prepare(&s->assets.names, &s->file.scene, memory, made);
+    code = prepare(&s->assets.names, &s->file.scene, o, memory, made);
     if (!code && bake_has_program(o)) {
         code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names);
         b.program = &program;
@@ -351,6 +340,10 @@ int bake_command(int argc, char **argv)
     loaded_scene s;
     memset(&s, 0, sizeof s);
     int code = args_read(&o, FOR_BAKE, argc, argv);
+    if (!o.sized) {
+        o.width = WIDTH;
+        o.height = HEIGHT;
+    }
     if (!code && o.help)
         command_help_print(FOR_BAKE);
     else if (!code)

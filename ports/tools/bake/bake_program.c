@@ -61,17 +61,6 @@ static int check_pieces(const component_search_request *request)
 
 /* -- the list ------------------------------------------------------------------------ */
 
-/* Returns the scene with the rungs of the ladder named.  A program without a quality plan
- * draws with the named rungs. */
-static tp_scene named_scene(const tp_scene *scene, const tp_ladder *ladder)
-{
-    tp_scene named = *scene;
-    named.quality.visibility = (int32_t)ladder->rung[0].visibility;
-    named.quality.shading = (int32_t)ladder->rung[0].shading;
-    named.quality.rate = (int32_t)ladder->rung[0].rate;
-    return named;
-}
-
 /* Returns the assets with baked layers, without the textures from which the layers are
  * made. */
 static tp_assets prepared_alone(const tp_assets *names)
@@ -113,7 +102,6 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
     *request = (component_search_request){
         .scene = scene,
         .assets = assets,
-        .named = &p->scene,
         .baked = baked,
         .config = { .width = o->width,
                     .height = o->height,
@@ -135,15 +123,10 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
         return code;
     const tp_assets lean = prepared_alone(baked);
     request->lean = &lean;
-    const tp_ladder ladder = tp_ladder_make(scene, assets, o->width, o->height);
-    if (ladder.count == 1)
-        p->scene = named_scene(scene, &ladder);
     code = component_search_run(&p->found, request);
     request->lean = NULL;
     if (p->found.lean)
         *baked = lean;
-    if (p->found.planned)
-        p->scene = *scene;
     return code ? code : tell_lacks(&p->found, o->strict);
 }
 

@@ -38,12 +38,12 @@ static void add_memory_users(component_set *needed,
     }
 }
 
-/* True if either the scene or the scene with named rungs switches the module on. */
+/* True if the scene switches the module on, with its own assets or those of the program. */
 static bool is_module_active(size_t i, const component_set *all,
                              const component_search_request *request)
 {
     return component_is_active(i, all, &request->terms, request->scene, request->assets)
-           || component_is_active(i, all, &request->terms, request->named, request->baked);
+           || component_is_active(i, all, &request->terms, request->scene, request->baked);
 }
 
 /* A scene that may change can show more than it shows now: each module that is on stays
@@ -66,8 +66,7 @@ static void add_active_modules(component_set *needed,
 }
 
 /* Every picture needs sky and plain water; the request names others. */
-static void add_required(component_set *needed, const component_search_request *request,
-                         bool plans)
+static void add_required(component_set *needed, const component_search_request *request)
 {
     static const char *const always[] = { "sky", "plain" };
 
@@ -75,17 +74,17 @@ static void add_required(component_set *needed, const component_search_request *
         for (size_t k = 0; k < sizeof always / sizeof *always; k++)
             needed->has[i] |= components[i].kind == COMPONENT_STAGE
                               && strcmp(components[i].name, always[k]) == 0;
-        needed->has[i] |= request->with.has[i] || (component_is_plan(i) && plans);
+        needed->has[i] |= request->with.has[i];
         needed->has[i] &= !request->without.has[i];
     }
 }
 
-component_set components_needed(const component_search_request *request, bool plans)
+component_set components_needed(const component_search_request *request)
 {
     component_set needed = { .has = { false } };
 
     add_memory_users(&needed, request);
     add_active_modules(&needed, request);
-    add_required(&needed, request, plans);
+    add_required(&needed, request);
     return needed;
 }

@@ -4,7 +4,6 @@
 #define TP_TOOLS_BAKE_COMPONENT_NEEDS_H
 #include "component_search.h"
 
-/* Returns the components that the search must not leave out.  `plans`: the program chooses
- * rungs at run time. */
-component_set components_needed(const component_search_request *request, bool plans);
+/* Returns the components that the search must not leave out. */
+component_set components_needed(const component_search_request *request);
 #endif

@@ -33,23 +33,12 @@ typedef struct {
 
 /* -- programs ------------------------------------------------------------------------ */
 
-static bool plans(const component_set *set)
-{
-    for (size_t i = 0; i < component_count; i++)
-        if (component_is_plan(i) && set->has[i])
-            return true;
-    return false;
-}
-
-/* Returns the program of a set.  A program without the quality plan draws the scene with
- * named rungs. */
 static dry_run_program make_program(component_search *s, const component_set *set)
 {
     const component_search_request *request = s->request;
 
     components_list(&s->list, set, &request->terms);
-    return (dry_run_program){ &s->list.program,
-                              plans(set) ? request->scene : request->named,
+    return (dry_run_program){ &s->list.program, request->scene,
                               s->lean ? request->lean : request->baked };
 }
 
@@ -224,7 +213,7 @@ static int find(component_search *s)
     uint32_t differs;
 
     s->moments = MOMENTS_FEW < s->run.moments ? MOMENTS_FEW : s->run.moments;
-    s->needed = components_needed(s->request, s->run.ladder.count > 1);
+    s->needed = components_needed(s->request);
     s->few[s->n_few++] = 0;
     s->lean = s->request->lean != NULL;
     if (narrow(s, &differs))
@@ -337,7 +326,6 @@ int component_search_run(component_search_result *found,
                                         .lacks = lacks,
                                         .refused = refused_modules(request, &s.in),
                                         .lean = s.lean,
-                                        .planned = plans(&s.in),
                                         .pictures = s.run.cameras };
     close_search(&s);
     return code;

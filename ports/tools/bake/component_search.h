@@ -8,9 +8,8 @@
 #include "tidepool/frame.h"
 
 typedef struct {
-    const tp_scene  *scene;     /* the scene unchanged */
+    const tp_scene  *scene;     /* with all rungs named */
     const tp_assets *assets;
-    const tp_scene  *named;     /* the scene with its plan's rungs named */
     const tp_assets *baked;     /* assets of the program */
     const tp_assets *lean;      /* fewer assets, used if they suffice; or NULL */
     tp_config        config;
@@ -25,7 +24,6 @@ typedef struct {
     component_set lacks;        /* components of `without` that the scene asks for */
     component_set refused;      /* modules that a changed scene may not switch on */
     bool      lean;             /* true: `lean` assets suffice */
-    bool      planned;          /* true: has the plan; false: use the named scene */
     uint32_t  pictures;         /* number of pictures compared */
 } component_search_result;
 

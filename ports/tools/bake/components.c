@@ -240,11 +240,6 @@ bool component_is_in_world(size_t i)
     return components[i].kind == COMPONENT_WATER || components[i].kind == COMPONENT_MODULE;
 }
 
-bool component_is_plan(size_t i)
-{
-    return is_named(i, COMPONENT_DRAW, "rungs");
-}
-
 component_set components_without(const component_set *out)
 {
     component_set all = { .has = { false } };

@@ -71,9 +71,6 @@ static inline bool component_is_stage(size_t i)
            || components[i].kind == COMPONENT_MODULE_STAGE;
 }
 
-/* True for the quality plan, which chooses rungs at run time. */
-bool component_is_plan(size_t i);
-
 /* Returns all components but those of `out`. */
 component_set components_without(const component_set *out);
 

@@ -147,7 +147,6 @@ static void choose_cameras(dry_run *d, const dry_run_program *by)
                            ? camera_near(by, moment_world(d, moment), &state)
                            : (dry_run_camera){ .own = true };
         d->camera[i].moment = moment;
-        d->camera[i].rung = (i + moment) % d->ladder.count;
     }
 }
 
@@ -159,9 +158,6 @@ int dry_run_open(dry_run *d, const dry_run_program *by, const tp_config *config,
                     .cameras = MOMENTS * (acts ? CAMERAS : 1) };
     d->config.tile_width = 0;
     d->config.tile_height = BAND;
-    d->ladder = tp_ladder_make(by->scene, by->assets, config->width, config->height);
-    if (!acts)
-        d->cameras *= d->ladder.count;
     d->world_bytes = tp_world_bytes(by->program, by->scene, by->assets);
     tp_world *world = malloc(d->world_bytes ? d->world_bytes : 1);
     d->worlds = malloc(MOMENTS * d->world_bytes + 1);
@@ -252,8 +248,6 @@ static dry_run_picture paint(dry_run_painter *p, const dry_run *d, const dry_run
 
     memcpy(p->world, moment_world(d, c->moment), d->world_bytes);
     take_place(p->world, c);
-    if (d->ladder.count > 1)
-        tp_frame_set_rungs(p->frame, &d->ladder.rung[c->rung]);
     tp_frame_begin(p->frame, p->world);
     for (uint32_t i = 0; tp_frame_draw_tile(p->frame, i, p->scratch, &tile); i++)
         for (uint32_t y = tile.y0; y < tile.y1; y++)

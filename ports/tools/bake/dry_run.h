@@ -6,7 +6,6 @@
 #ifndef TP_TOOLS_BAKE_DRY_RUN_H
 #define TP_TOOLS_BAKE_DRY_RUN_H
 #include <stdbool.h>
-#include "quality/plan.h"
 #include "tidepool/frame.h"
 
 /* A program with the scene and the assets that it steps and draws. */
@@ -21,7 +20,6 @@ typedef struct {
     bool     own;               /* true: the world's own camera; else the members below */
     tp_vec3  eye;
     tp_turn  heading, pitch;
-    uint32_t rung;              /* index in the ladder */
 } dry_run_camera;
 
 typedef struct {
@@ -30,7 +28,6 @@ typedef struct {
 
 typedef struct {
     tp_config   config;
-    tp_ladder   ladder;
     bool        acts;
     size_t      world_bytes;
     uint8_t    *worlds;         /* worlds at each moment, one after another */

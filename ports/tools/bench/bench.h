@@ -5,7 +5,7 @@
 #define TP_TOOLS_BENCH_BENCH_H
 #include "app/files/picture.h"
 #include "bench_scene.h"
-#include "quality/plan.h"
+#include "frame/tools.h"
 
 enum { BENCH_ROUNDS = 3, BENCH_BY = 32 };
 

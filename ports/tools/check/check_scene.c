@@ -168,7 +168,7 @@ static int check_world(loaded_scene *s, const options *o)
 {
     options strict = *o;
     strict.strict = true;
-    int code = loaded_scene_load_assets(&s->assets, &s->file, &strict);
+    int code = loaded_scene_load_assets(s, &s->assets, &strict);
     if (!code)
         code = loaded_scene_make_world(s);
     return code;

@@ -1,19 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The quality plan as a program links it: chooses the rungs and drops waves too faint to
- * be seen.  A program without the plan uses the rungs named by the scene, and the exact
- * rung of each kind left open. */
+/* Culling of waves as a program links it: leaves out, or draws lower, waves too faint to be
+ * seen. */
 #include "frame/frame.h"
 #include "quality/prices.h"
-
-static tp_rungs choose_rungs_by_measured_prices(const tp_plan_input *in)
-{
-    return tp_rungs_choose_priced(&tp_prices_measured, in);
-}
-
-static tp_ladder make_ladder_by_measured_prices(const tp_plan_input *in)
-{
-    return tp_ladder_make_priced(&tp_prices_measured, in);
-}
 
 static void layout_culled_water(tp_frame_buffers *buffers, tp_arena *arena,
                                 const tp_plan_input *in)
@@ -46,7 +35,4 @@ static void cull_faint_waves(tp_frame *frame)
     }
 }
 
-const struct tp_draw_rungs tp_draw_rungs = { layout_culled_water,
-                                             make_ladder_by_measured_prices,
-                                             choose_rungs_by_measured_prices,
-                                             cull_faint_waves };
+const struct tp_draw_culling tp_draw_culling = { layout_culled_water, cull_faint_waves };

@@ -2,9 +2,7 @@
 /* A tick's cost: instructions a cell, counted on a Cortex-M4, times the cells of a world that
  * has run for a second.  Still cells cost less than moving ones, so the world is needed. */
 #include "tick_cost.h"
-#include <stdlib.h>
 #include "features/foam/foam_visit.h"
-#include "loaded_scene.h"
 #include "waves/coastal_tables.h"
 #include "world/pools.h"
 #include "world/world.h"
@@ -157,14 +155,10 @@ static double foam_cost(const tp_world *world, const tp_scene *scene)
 
 /* ----------------------------------------------------------------------------------- */
 
-bool tick_cost_estimate(const tp_scene *scene, const tp_assets *assets, tick_cost *cost)
+tick_cost tick_cost_estimate(tp_world *world, const tp_scene *scene)
 {
-    size_t bytes;
-    tp_world *world = loaded_scene_new_world(scene, assets, &bytes, &(tp_error){ 0 });
     double sum = 0, most = 0;
 
-    if (!world)
-        return false;
     for (int i = 0; i < WARM; i++)
         tp_world_step(&tp_program_all, world, scene, NULL);
     for (int i = 0; i < TICKS; i++) {
@@ -173,7 +167,5 @@ bool tick_cost_estimate(const tp_scene *scene, const tp_assets *assets, tick_cos
         most = pools > most ? pools : most;
     }
     const double foam = foam_cost(world, scene);
-    free(world);
-    *cost = (tick_cost){ (uint64_t)(sum / TICKS + foam), (uint64_t)(most + foam) };
-    return true;
+    return (tick_cost){ (uint64_t)(sum / TICKS + foam), (uint64_t)(most + foam) };
 }
