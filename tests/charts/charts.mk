@@ -23,6 +23,12 @@ CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count pool_edges_c
 
 charts-tools: all build/host/count.so $(CHARTS)
 	@$(MAKE) --no-print-directory BOARD=cortex-m $(CHARTS_ELF)
+# The pictures of the shipped scenes, or of SCENE, for a Cortex-M4 and a Cortex-M0+.
+processor-tools: $(PROGRAM) build/host/count.so build/host/cycles.so
+	@for board in cortex-m cortex-m/m0plus; do \
+	    $(MAKE) --no-print-directory BOARD=$$board \
+	        $(patsubst %,build/$${board##*/}/charts/%.elf,$(or $(ONE),$(SCENES))) || exit 1; \
+	done
 
 # -- for this machine --------------------------------------------------------------------
 

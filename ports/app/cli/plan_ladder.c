@@ -53,19 +53,20 @@ static void print_steps(const set_ladder *ladder, const loaded_scene *s, uint64_
          "16 samples; ticks 60 and 300.  `tidepool render SCENE --step N` draws a step.");
 }
 
-static uint64_t tick_estimate(const loaded_scene *s)
+static uint64_t tick_estimate(const loaded_scene *s, tp_processor processor)
 {
     tick_cost tick = { 0 };
 
-    return tick_cost_estimate(&s->file.scene, &s->assets.names, &tick) ? tick.mean : 0;
+    return tick_cost_estimate(&s->file.scene, &s->assets.names, processor, &tick) ? tick.mean
+                                                                                : 0;
 }
 
 int plan_ladder_print(const loaded_scene *s, const options *o)
 {
     static set_ladder ladder;
-    const uint64_t tick = tick_estimate(s);
+    const uint64_t tick = tick_estimate(s, TP_PROCESSOR_M4);
 
-    set_ladder_find(&ladder, s, o->width, o->height);
+    set_ladder_find(&ladder, s, TP_PROCESSOR_M4, o->width, o->height);
     const int code = ladder_pictures_measure(ladder.step, ladder.count, o, true);
     if (!code && o->csv)
         print_csv(&ladder, tick);
@@ -102,9 +103,9 @@ static void print_board_csv(const plan_board *b, uint32_t fps, uint64_t tick,
 }
 
 /* Prints what makes ticks cheaper, where the scene's values allow it. */
-static void print_world(const loaded_scene *s)
+static void print_world(const loaded_scene *s, tp_processor processor)
 {
-    const world_rungs world = world_rungs_find(s);
+    const world_rungs world = world_rungs_find(s, processor);
 
     if (world.count)
         printf("cheaper ticks, by values of the scene (--set):\n    %s: %.2f M\n",
@@ -119,10 +120,10 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
     const uint64_t left = b->speed > TICKS_A_SECOND * tick
                               ? b->speed - TICKS_A_SECOND * tick : 0;
 
-    printf("%s on %s (%s, %u MHz, %.0f M instructions a second; %s)\n"
+    printf("%s on %s (%s, %u MHz, %.0f M instructions %sa second; %s)\n"
            "multiplies %s; %s\n\n",
            s->file.name, b->name, b->processor, (unsigned)b->mhz, millions(b->speed),
-           b->speed_from, b->multiplier, b->source);
+           b->own ? "" : "of a Cortex-M4 ", b->speed_from, b->multiplier, b->source);
     printf("real time, %u pictures and %d ticks a second: %s; at most %.1f pictures\n",
            (unsigned)fps, TICKS_A_SECOND, real_time ? "yes" : "no",
            step->frame ? (double)left / (double)step->frame : 0);
@@ -136,7 +137,7 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
     printf("%s\n    ", step->choices[0] ? "gives up:" : "gives up nothing");
     print_choices(step->choices);
     if (!real_time)
-        print_world(s);
+        print_world(s, b->priced_as);
 }
 
 /* Sets *step to the last step of the ladder that keeps 28 dB on its pictures. */
@@ -156,11 +157,11 @@ int plan_board_print(const loaded_scene *s, const options *o)
     static set_ladder ladder;
     const plan_board *b = o->board;
     const uint32_t fps = o->fps ? o->fps : FPS;
-    const uint64_t tick = tick_estimate(s), ticks = TICKS_A_SECOND * tick;
+    const uint64_t tick = tick_estimate(s, b->priced_as), ticks = TICKS_A_SECOND * tick;
     const uint64_t most = b->speed > ticks ? (b->speed - ticks) / fps : 0;
     ladder_step step;
 
-    set_ladder_find(&ladder, s, o->width, o->height);
+    set_ladder_find(&ladder, s, b->priced_as, o->width, o->height);
     const bool real_time = set_ladder_within(&ladder, s, o->width, o->height, most, &step);
     const int code = real_time ? ladder_pictures_measure(&step, 1, o, false)
                                : find_best(&ladder, o, &step);

@@ -45,25 +45,28 @@ static ladder_step step_make(const loaded_scene *s, const tp_rung_set *set,
     return step;
 }
 
-static tp_view_costs costs_make(const loaded_scene *s, uint32_t width, uint32_t height)
+static tp_view_costs costs_make(const loaded_scene *s, tp_processor processor,
+                                uint32_t width, uint32_t height)
 {
     tp_view_costs view;
     const tp_plan_input in = { tp_program_all.modules, &s->file.scene, &s->assets.names,
                                width, height };
 
     tp_view_costs_make(&view, &tp_prices_measured, &in);
+    view.processor = processor;
     return view;
 }
 
-void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
-                     uint32_t height)
+void set_ladder_find(set_ladder *ladder, const loaded_scene *s, tp_processor processor,
+                     uint32_t width, uint32_t height)
 {
-    const tp_view_costs view = costs_make(s, width, height);
+    const tp_view_costs view = costs_make(s, processor, width, height);
     uint32_t open;
     const tp_rung_set from = tp_rung_set_named(&s->file.scene, true, &open);
     tp_set_walk walk;
 
     tp_set_walk_make(&walk, &view, from, open);
+    ladder->processor = processor;
     ladder->count = walk.count;
     for (uint32_t i = 0; i < walk.count; i++)
         ladder->step[i] = step_make(s, &walk.set[i], walk.price[i]);
@@ -72,7 +75,7 @@ void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
 bool set_ladder_within(const set_ladder *ladder, const loaded_scene *s, uint32_t width,
                        uint32_t height, uint64_t most, ladder_step *step)
 {
-    const tp_view_costs view = costs_make(s, width, height);
+    const tp_view_costs view = costs_make(s, ladder->processor, width, height);
     uint32_t open, at = 0;
 
     tp_rung_set_named(&s->file.scene, true, &open);
@@ -102,7 +105,7 @@ int set_ladder_take(loaded_scene *s, const options *o, uint32_t at)
 {
     set_ladder ladder;
 
-    set_ladder_find(&ladder, s, o->width, o->height);
+    set_ladder_find(&ladder, s, TP_PROCESSOR_M4, o->width, o->height);
     if (at >= ladder.count)
         return log_fail(EXIT_INPUT, "%s: its ladder has steps 0 to %u, --step is %u",
                         s->file.name, (unsigned)ladder.count - 1, (unsigned)at);

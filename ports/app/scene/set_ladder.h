@@ -9,7 +9,8 @@
 
 typedef struct {
     tp_rung_set set;
-    uint64_t frame;             /* instructions of a frame, the plan's estimate */
+    uint64_t frame;             /* instructions of a frame on the ladder's processor, the
+                                 * plan's estimate */
     size_t   ram;               /* frame, scratch and world of a baked program in RGB565 */
     char     choices[640];      /* rows unlike the exact ones, apart by spaces */
     double   added, db;         /* rms, of 255, and PSNR against the exact picture */
@@ -17,14 +18,16 @@ typedef struct {
 } ladder_step;
 
 typedef struct {
-    ladder_step step[TP_SET_STEPS];
-    uint32_t    count;
+    ladder_step  step[TP_SET_STEPS];
+    uint32_t     count;
+    tp_processor processor;
 } set_ladder;
 
-/* Finds the steps of a scene for pictures of a size; the first one is the exact picture, or
- * what the scene names.  Measures nothing. */
-void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
-                     uint32_t height);
+/* Finds the steps of a scene for pictures of a size, by the prices of a processor; the first
+ * one is the exact picture, or what the scene names.  Measures nothing.  The steps that
+ * options number (--step) are those of a Cortex-M4. */
+void set_ladder_find(set_ladder *ladder, const loaded_scene *s, tp_processor processor,
+                     uint32_t width, uint32_t height);
 
 /* Sets *step to the first step within `most` instructions, its rungs made exact again where
  * there is room.  Returns false if no step is within them. */

@@ -12,6 +12,25 @@
 #define WARM 60                 /* ticks before the estimate, as in the budgets */
 #define TICKS 8                 /* of the estimate: whole steps of pools, a round of foam */
 
+/* Kinds of work, whose instructions on a Cortex-M0+ for one of a Cortex-M4 differ. */
+enum { CELLS, DRIVE, VISITS, DEEP_WAVES, COASTAL_WAVES, WORKS };
+
+typedef struct { double of[WORKS]; } tick_work;
+
+static const double factors[][WORKS] = {
+    [TP_PROCESSOR_M4] = { 1, 1, 1, 1, 1 },
+    [TP_PROCESSOR_M0PLUS] = { 1, 1, 1, 1, 1 },
+};
+
+static double cost_of(const tick_work *work, tp_processor processor)
+{
+    double sum = 0;
+
+    for (int i = 0; i < WORKS; i++)
+        sum += work->of[i] * factors[processor][i];
+    return sum;
+}
+
 /* -- pools --------------------------------------------------------------------------- */
 
 typedef struct { double still, moving; } cell_cost;
@@ -39,27 +58,29 @@ static uint32_t count_moving_cells(const tp_pool *pool)
     return count;
 }
 
-/* Returns the cost of a step; `injected`: splashes of the drive in it. */
-static double step_cost(const tp_pool *pool, const tp_scene_pool *scene, uint32_t injected)
+/* Adds the work of a step; `injected`: splashes of the drive in it. */
+static void add_step(tick_work *work, const tp_pool *pool, const tp_scene_pool *scene,
+                     uint32_t injected)
 {
     const cell_cost *cost =
         &cell_costs[pool->cells][pool->sponge != 0 ? 2 : pool->walls != 0];
     const double cells = tp_pool_count(pool), moving = count_moving_cells(pool);
-    const double step = pool->at_rest ? 0
-                      : cost->still * (cells - moving) + cost->moving * moving;
 
-    return step + (scene->paddle > 0 ? PADDLE_COLUMN * (double)pool->cols : 0)
-         + (scene->drive_min > 0 ? DRIVE_CELL * cells : 0) + INJECTION * (double)injected;
+    work->of[CELLS] += pool->at_rest ? 0
+                     : cost->still * (cells - moving) + cost->moving * moving;
+    work->of[DRIVE] += (scene->paddle > 0 ? PADDLE_COLUMN * (double)pool->cols : 0)
+                     + (scene->drive_min > 0 ? DRIVE_CELL * cells : 0)
+                     + INJECTION * (double)injected;
 }
 
-/* Steps the world by a tick and returns the cost of its pools. */
-static double step_pools(tp_world *world, const tp_scene *scene)
+/* Steps the world by a tick and returns the work of its pools. */
+static tick_work step_pools(tp_world *world, const tp_scene *scene)
 {
     const tp_scene_pool *of[2] = { &scene->pool, &scene->field };
     const tp_pool *pool[2] = { tp_world_pool(world), tp_world_field(world) };
     uint32_t before[2] = { 0, 0 };
     bool due[2] = { false, false };
-    double cost = 0;
+    tick_work work = { { 0 } };
 
     for (int i = 0; i < 2; i++)
         if (pool[i]) {
@@ -69,8 +90,8 @@ static double step_pools(tp_world *world, const tp_scene *scene)
     tp_world_step(&tp_program_all, world, scene, NULL);
     for (int i = 0; i < 2; i++)
         if (due[i])
-            cost += step_cost(pool[i], of[i], pool[i]->injections - before[i]);
-    return cost;
+            add_step(&work, pool[i], of[i], pool[i]->injections - before[i]);
+    return work;
 }
 
 /* -- foam ---------------------------------------------------------------------------- */
@@ -134,33 +155,38 @@ static double wave_cost(const tp_world *world, const tp_scene *scene, const tp_f
     return (COASTAL + wave * waves) * wet_share(coastal, foam);
 }
 
-/* Returns the mean cost of a tick's visits. */
-static double foam_cost(const tp_world *world, const tp_scene *scene)
+/* Adds the mean work of a tick's visits. */
+static void add_foam(tick_work *work, const tp_world *world, const tp_scene *scene)
 {
     tp_foam *foam = tp_foam_of_world(world);
     tp_foam_maker m;
 
     if (!foam)
-        return 0;
+        return;
     tp_foam_maker_begin(&m, foam, world, scene);
     const double n = foam->slices, visits = (double)foam->cells * foam->cells / TP_FOAM_TICKS;
     const double walls = m.pool ? WALL : 0, hull = hull_cost(&m, foam);
     const bool foams = foam->slices > 1 ? tp_foam_maker_has_waves(&m)
                                         : m.coastal || scene->foam.crest > 0;
     const double waves = foams ? wave_cost(world, scene, foam) : 0;
+    const int kind = tp_world_coastal(world) ? COASTAL_WAVES : DEEP_WAVES;
 
     if (n > 1)
-        return visits * (VISIT_SLICED + FADE * covered_share(foam) + (VISIT + walls) / n
-                         + waves / (4 * n) + 0.4 * hull);
-    return visits * (VISIT + walls + waves + hull);
+        work->of[VISITS] += visits * (VISIT_SLICED + FADE * covered_share(foam)
+                                      + (VISIT + walls) / n + 0.4 * hull);
+    else
+        work->of[VISITS] += visits * (VISIT + walls + hull);
+    work->of[kind] += n > 1 ? visits * waves / (4 * n) : visits * waves;
 }
 
 /* ----------------------------------------------------------------------------------- */
 
-bool tick_cost_estimate(const tp_scene *scene, const tp_assets *assets, tick_cost *cost)
+bool tick_cost_estimate(const tp_scene *scene, const tp_assets *assets,
+                        tp_processor processor, tick_cost *cost)
 {
     size_t bytes;
     tp_world *world = loaded_scene_new_world(scene, assets, &bytes, &(tp_error){ 0 });
+    tick_work visits = { { 0 } };
     double sum = 0, most = 0;
 
     if (!world)
@@ -168,12 +194,14 @@ bool tick_cost_estimate(const tp_scene *scene, const tp_assets *assets, tick_cos
     for (int i = 0; i < WARM; i++)
         tp_world_step(&tp_program_all, world, scene, NULL);
     for (int i = 0; i < TICKS; i++) {
-        const double pools = step_pools(world, scene);
+        const tick_work work = step_pools(world, scene);
+        const double pools = cost_of(&work, processor);
         sum += pools;
         most = pools > most ? pools : most;
     }
-    const double foam = foam_cost(world, scene);
+    add_foam(&visits, world, scene);
     free(world);
+    const double foam = cost_of(&visits, processor);
     *cost = (tick_cost){ (uint64_t)(sum / TICKS + foam), (uint64_t)(most + foam) };
     return true;
 }

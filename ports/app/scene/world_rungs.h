@@ -23,5 +23,5 @@ typedef struct {
 /* Finds the rungs of a scene that make a tick cheaper and that its checks accept, each
  * alone, the cheapest first, and last all together if there are several.  Runs a second of
  * the scene for each. */
-world_rungs world_rungs_find(const loaded_scene *s);
+world_rungs world_rungs_find(const loaded_scene *s, tp_processor processor);
 #endif
