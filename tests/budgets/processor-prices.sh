@@ -4,7 +4,8 @@
 #
 #   tests/budgets/processor-prices.sh           the test: src/quality/processor_prices.inc is
 #                                               made from processor-prices.csv beside this
-#                                               script
+#                                               script, and pictures of two scenes drawn anew
+#                                               cost by it what they cost
 #   tests/budgets/processor-prices.sh --write   measures again, 12 minutes: pictures on the
 #                                               emulated board, in 5 views of each shipped
 #                                               scene, with code for either processor
@@ -36,11 +37,19 @@ counted()
 sampled()       # MODE VIEWS SEED: of all shipped scenes, two at a time
 {
     for ini in assets/scenes/*.ini; do basename "$ini" .ini; done |
-        xargs -P 2 -I{} "$0" --scene {} "$1" "$2" "$3"
+        xargs -P 2 -I{} "$0" --scene {} "$1" "$2" "$3" | sort
 }
 judged()        # prints the share of sets within 10 and 20 % and the mean, by kind of error
 {
     awk -v to=judge -f tests/budgets/processor-prices.awk $table "$1"
+}
+
+build_two()     # the pictures of two scenes, for both processors
+{
+    build $samples build/host/count.so || return 1
+    for board in cortex-m cortex-m/m0plus; do
+        build BOARD=$board $(printf "build/${board##*/}/charts/%s.elf\n" $drawn) || return 1
+    done
 }
 
 case ${1:-} in
@@ -56,7 +65,7 @@ case ${1:-} in
                 printf "%s %s %.0f %s %.0f", name, $6, $7 + $8, $16, $17 + $18
                 for (i = 21; i <= NF; i++) printf " %s", $i
                 print ""
-            }'
+            }' >"$scratch/lines" && cat "$scratch/lines"        # in one write
     exit ;;
 --write)
     build $samples processor-tools >/dev/null || exit 1
@@ -75,4 +84,21 @@ case ${1:-} in
     exit ;;
 esac
 check "$made is made from $table" same_made
+for tool in arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm; do
+    lacks "${tool%:*}" "${tool#*:}" "costs on a Cortex-M0+" && { finish; exit; }
+done
+drawn='count-64 three-swells'
+check "what counts the pictures builds" build_two
+[ $failed = 0 ] || exit 1
+for scene in $drawn; do
+    "$0" --scene "$scene" bases 1 ${TP_SEED:-6001} && "$0" --scene "$scene" sets 1 ${TP_SEED:-6002}
+done >"$scratch/samples"
+within()        # PERCENT: mean error of the factors, of frames counted on a Cortex-M4
+{
+    judged "$scratch/samples" | awk -v most="$1" '
+        { print } $1 == "factors" && $2 >= 12 { mean = $5 }
+        END { exit !(mean > 0 && mean < most) }'
+}
+check "pictures take by the factors what they take, within 8 % in the mean" within 8
+sed 's/^/    /' "$scratch/output"
 finish

@@ -30,6 +30,12 @@ processor-tools: $(PROGRAM) build/host/count.so build/host/cycles.so
 	        $(patsubst %,build/$${board##*/}/charts/%.elf,$(or $(ONE),$(SCENES))) || exit 1; \
 	done
 
+# A scene with the rungs of a board's step, which tests/budgets/board-steps.sh writes as
+# options of `tidepool bake`.
+build/baked/rp2040-%.c: build/steps/rp2040-%.txt $(BAKED_FROM)
+	@mkdir -p $(@D)
+	$(SAY)build/host/tidepool bake assets/scenes/$*.ini --name baked $$(cat $<) -o $@
+
 # -- for this machine --------------------------------------------------------------------
 
 $(AT)/kernels: $(KERNELS_O) $(LIB)

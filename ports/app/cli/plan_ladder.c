@@ -124,9 +124,13 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
            "multiplies %s; %s\n\n",
            s->file.name, b->name, b->processor, (unsigned)b->mhz, millions(b->speed),
            b->own ? "" : "of a Cortex-M4 ", b->speed_from, b->multiplier, b->source);
-    printf("real time, %u pictures and %d ticks a second: %s; at most %.1f pictures\n",
-           (unsigned)fps, TICKS_A_SECOND, real_time ? "yes" : "no",
-           step->frame ? (double)left / (double)step->frame : 0);
+    printf("real time, %u pictures and %d ticks a second: %s; ", (unsigned)fps,
+           TICKS_A_SECOND, real_time ? "yes" : "no");
+    if (left)
+        printf("at most %.1f pictures\n",
+               step->frame ? (double)left / (double)step->frame : 0);
+    else
+        printf("ticks alone take %.0f M\n", millions(TICKS_A_SECOND * tick));
     printf("a picture %.2f M, a tick %.2f M instructions; off by %.2f of 255, %.1f dB\n",
            millions(step->frame), millions(tick), step->added, step->db);
     printf("RAM %zu of %u KB in tiles of %ux%u%s\n", step->ram / 1024,
