@@ -4,7 +4,7 @@
 #         bases|mixed|sets SCENE TICK FRAME TICK FRAME FAST COST... ; PREDICTED
 #       ticks and frames of a Cortex-M4, then of a Cortex-M0+, to rows fast,part,factor
 #     awk -v to=inc: from those rows to the table of src/quality/processor_prices.inc
-#     awk -v to=judge TABLE SAMPLES: prints how far frames of samples are off
+#     awk -v to=judge TABLE SAMPLES: prints how far frames of samples are off; to=list: each
 #
 # A frame's ratio of both counts is the mean of its parts' factors, weighted by the parts'
 # costs on a Cortex-M4: costs as predicted, scaled to the counted frame, so that errors of
@@ -99,7 +99,8 @@ function judge(kind,    at, i, sum, off, all, near, far) {
         bias += off
         near += size(off) <= 0.1
         far += size(off) <= 0.2
-        if (to == "list") printf "%s %s %d %.2f %.1f %%\n", kind, name[at], fast[at], ratio[at], 100 * off
+        if (to == "list")
+            printf "%s %s %d %.2f %.1f %%\n", kind, name[at], fast[at], ratio[at], 100 * off
     }
     printf "    %-8s %d pictures: mean %.1f %%, %d within 10 %%, %d within 20 %%\n", kind,
         samples, 100 * all / samples, near, far

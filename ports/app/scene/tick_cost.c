@@ -12,11 +12,11 @@
 #define WARM 60                 /* ticks before the estimate, as in the budgets */
 #define TICKS 8                 /* of the estimate: whole steps of pools, a round of foam */
 
-/* Kinds of work, with the instructions of a Cortex-M0+ for one of a Cortex-M4: counted
- * ticks with the work less ticks without it.  Cells of up to 16 bits: pond; with a sponge:
- * tank 1.58 and harbour 1.77; of 32 bits: tank 1.31, pond and harbour 1.44; drive: pond's
- * field; visits: harbour's foam; waves: the last wave of storm, of deep-sea and of
- * shallows, whose products are of 64 bits. */
+/* Kinds of work, with the instructions of a Cortex-M0+ for one of a Cortex-M4, counted by
+ * tests/budgets/processor-ticks.sh.  Cells of up to 16 bits: pond; with a sponge: tank 1.58,
+ * harbour 1.77; of 32 bits: tank 1.31, pond 1.45.  Waves have products of 64 bits: storm,
+ * deep-sea, and shallows, where a wave over a map takes 5.29 with the coastal wave's share.
+ * COASTAL: the rest of the ticks of deep-sea 2.98 and shallows 3.12. */
 #define WORKS(X) \
     X(CELLS, 1.9) X(SPONGE, 1.65) X(WIDE, 1.4) X(DRIVE, 2.9) X(VISITS, 3.1) X(DEEP, 4.9) \
     X(COASTAL, 3.0) X(COASTAL_WAVES, 3.8) X(MAP_WAVES, 7.3)
@@ -39,7 +39,7 @@ static const double factors[][WORK_COUNT] = {
 #undef X
 };
 
-static double cost_of(const tick_work *work, tp_processor processor)
+static double work_cost(const tick_work *work, tp_processor processor)
 {
     double sum = 0;
 
@@ -217,13 +217,13 @@ bool tick_cost_estimate(const tp_scene *scene, const tp_assets *assets,
         tp_world_step(&tp_program_all, world, scene, NULL);
     for (int i = 0; i < TICKS; i++) {
         const tick_work work = step_pools(world, scene);
-        const double pools = cost_of(&work, processor);
+        const double pools = work_cost(&work, processor);
         sum += pools;
         most = pools > most ? pools : most;
     }
     add_foam(&visits, world, scene);
     free(world);
-    const double foam = cost_of(&visits, processor);
+    const double foam = work_cost(&visits, processor);
     *cost = (tick_cost){ (uint64_t)(sum / TICKS + foam), (uint64_t)(most + foam) };
     return true;
 }
