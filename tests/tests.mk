@@ -131,7 +131,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	@$(MAKE) --no-print-directory $(SAN) sanitized
 	@! command -v arm-none-eabi-gcc >/dev/null || \
 	    for goals in 'BOARD=cortex-m elves' 'BOARD=cortex-m/microbit lib' \
-	            'BOARD=cortex-m/lm3s6965evb lib' charts-tools; do \
+	            'BOARD=cortex-m/lm3s6965evb lib' \
+	            'BOARD=cortex-m/m0plus lib' charts-tools; do \
 	        $(MAKE) --no-print-directory $$goals || exit 1; \
 	    done
 	@$(RUN) build/log/more tests/cross/run.sh tests/charts/sweep.sh tests/fuzz/replay.sh \
@@ -147,7 +148,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape ladder \
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count \
-                effects rung-prices rung-judge board-rungs) \
+                effects rung-prices rung-judge board-rungs processor-prices board-steps) \
 	    tests/charts/same.sh
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \

@@ -6,10 +6,13 @@
 #include <stdint.h>
 #include "quality/plan.h"
 
-/* `speed`: instructions of the plan's prices, those of a Cortex-M4, that the board does in
- * a second; `speed_from` says how it is known. */
+/* `priced_as`: the processor of whose instructions the plan's prices count, a Cortex-M4 for
+ * processors of other instruction sets.  `speed`: those that the board does in a second;
+ * `speed_from` says how it is known. */
 typedef struct plan_board {
     const char *name, *processor;
+    tp_processor priced_as;
+    bool        own;            /* the instructions are those of the board's processor */
     uint32_t    mhz;
     uint64_t    speed;
     uint32_t    ram, flash;     /* bytes; flash: of the chip, or of the usual board */

@@ -10,6 +10,42 @@
 #define WARM 60                 /* ticks before the estimate, as in the budgets */
 #define TICKS 8                 /* of the estimate: whole steps of pools, a round of foam */
 
+/* Kinds of work, with the instructions of a Cortex-M0+ for one of a Cortex-M4, counted by
+ * tests/budgets/processor-ticks.sh.  Cells of up to 16 bits: pond; with a sponge: tank 1.58,
+ * harbour 1.77; of 32 bits: tank 1.31, pond 1.45.  Waves have products of 64 bits: storm,
+ * deep-sea, and shallows, where a wave over a map takes 5.29 with the coastal wave's share.
+ * COASTAL: the rest of the ticks of deep-sea 2.98 and shallows 3.12. */
+#define WORKS(X) \
+    X(CELLS, 1.9) X(SPONGE, 1.65) X(WIDE, 1.4) X(DRIVE, 2.9) X(VISITS, 3.1) X(DEEP, 4.9) \
+    X(COASTAL, 3.0) X(COASTAL_WAVES, 3.8) X(MAP_WAVES, 7.3)
+
+enum {
+#define X(name, m0plus) name,
+    WORKS(X)
+#undef X
+    WORK_COUNT
+};
+
+typedef struct { double of[WORK_COUNT]; } tick_work;
+
+static const double factors[][WORK_COUNT] = {
+#define X(name, m0plus) [name] = 1,
+    [TP_PROCESSOR_M4] = { WORKS(X) },
+#undef X
+#define X(name, m0plus) [name] = m0plus,
+    [TP_PROCESSOR_M0PLUS] = { WORKS(X) },
+#undef X
+};
+
+static double work_cost(const tick_work *work, tp_processor processor)
+{
+    double sum = 0;
+
+    for (int i = 0; i < WORK_COUNT; i++)
+        sum += work->of[i] * factors[processor][i];
+    return sum;
+}
+
 /* -- pools --------------------------------------------------------------------------- */
 
 typedef struct { double still, moving; } cell_cost;
@@ -37,27 +73,31 @@ static uint32_t count_moving_cells(const tp_pool *pool)
     return count;
 }
 
-/* Returns the cost of a step; `injected`: splashes of the drive in it. */
-static double step_cost(const tp_pool *pool, const tp_scene_pool *scene, uint32_t injected)
+/* Adds the work of a step; `injected`: splashes of the drive in it. */
+static void add_step(tick_work *work, const tp_pool *pool, const tp_scene_pool *scene,
+                     uint32_t injected)
 {
     const cell_cost *cost =
         &cell_costs[pool->cells][pool->sponge != 0 ? 2 : pool->walls != 0];
     const double cells = tp_pool_count(pool), moving = count_moving_cells(pool);
-    const double step = pool->at_rest ? 0
-                      : cost->still * (cells - moving) + cost->moving * moving;
 
-    return step + (scene->paddle > 0 ? PADDLE_COLUMN * (double)pool->cols : 0)
-         + (scene->drive_min > 0 ? DRIVE_CELL * cells : 0) + INJECTION * (double)injected;
+    const int kind = pool->cells == TP_CELLS_32 ? WIDE : pool->sponge != 0 ? SPONGE : CELLS;
+
+    if (!pool->at_rest)
+        work->of[kind] += cost->still * (cells - moving) + cost->moving * moving;
+    work->of[DRIVE] += (scene->paddle > 0 ? PADDLE_COLUMN * (double)pool->cols : 0)
+                     + (scene->drive_min > 0 ? DRIVE_CELL * cells : 0)
+                     + INJECTION * (double)injected;
 }
 
-/* Steps the world by a tick and returns the cost of its pools. */
-static double step_pools(tp_world *world, const tp_scene *scene)
+/* Steps the world by a tick and returns the work of its pools. */
+static tick_work step_pools(tp_world *world, const tp_scene *scene)
 {
     const tp_scene_pool *of[2] = { &scene->pool, &scene->field };
     const tp_pool *pool[2] = { tp_world_pool(world), tp_world_field(world) };
     uint32_t before[2] = { 0, 0 };
     bool due[2] = { false, false };
-    double cost = 0;
+    tick_work work = { { 0 } };
 
     for (int i = 0; i < 2; i++)
         if (pool[i]) {
@@ -67,8 +107,8 @@ static double step_pools(tp_world *world, const tp_scene *scene)
     tp_world_step(&tp_program_all, world, scene, NULL);
     for (int i = 0; i < 2; i++)
         if (due[i])
-            cost += step_cost(pool[i], of[i], pool[i]->injections - before[i]);
-    return cost;
+            add_step(&work, pool[i], of[i], pool[i]->injections - before[i]);
+    return work;
 }
 
 /* -- foam ---------------------------------------------------------------------------- */
@@ -81,9 +121,9 @@ static double step_pools(tp_world *world, const tp_scene *scene)
 #define WALL 445                /* the speed along a pool's walls */
 #define HULL_FAR 22             /* a cell beyond the foam of a hull */
 #define HULL_NEAR 150
-#define DEEP 35                 /* the Jacobian of deep water, and of each wave */
+#define DEEP_VISIT 35           /* the Jacobian of deep water, and of each wave */
 #define DEEP_WAVE 69
-#define COASTAL 320             /* coastal water, and each wave */
+#define COASTAL_VISIT 320       /* coastal water, and each wave */
 #define COASTAL_WAVE 354
 #define MAP_WAVE 266            /* each wave over a map of the floor, in addition */
 
@@ -121,51 +161,61 @@ static double wet_share(const tp_coastal_water *coastal, const tp_foam *foam)
     return (double)wet / all;
 }
 
-static double wave_cost(const tp_world *world, const tp_scene *scene, const tp_foam *foam)
+/* Adds the waves' work of a number of visits. */
+static void add_waves(tick_work *work, const tp_world *world, const tp_scene *scene,
+                      const tp_foam *foam, double visits)
 {
     const tp_coastal_water *coastal = tp_world_coastal(world);
     const double waves = world->deep.count;
 
-    if (!coastal)
-        return DEEP + DEEP_WAVE * waves;
-    const double wave = COASTAL_WAVE + (scene->floor.map[0] ? MAP_WAVE : 0);
-    return (COASTAL + wave * waves) * wet_share(coastal, foam);
+    if (!coastal) {
+        work->of[DEEP] += visits * (DEEP_VISIT + DEEP_WAVE * waves);
+        return;
+    }
+    visits *= wet_share(coastal, foam);
+    work->of[COASTAL] += visits * COASTAL_VISIT;
+    work->of[COASTAL_WAVES] += visits * COASTAL_WAVE * waves;
+    work->of[MAP_WAVES] += scene->floor.map[0] ? visits * MAP_WAVE * waves : 0;
 }
 
-/* Returns the mean cost of a tick's visits. */
-static double foam_cost(const tp_world *world, const tp_scene *scene)
+/* Adds the mean work of a tick's visits. */
+static void add_foam(tick_work *work, const tp_world *world, const tp_scene *scene)
 {
     tp_foam *foam = tp_foam_of_world(world);
     tp_foam_maker m;
 
     if (!foam)
-        return 0;
+        return;
     tp_foam_maker_begin(&m, foam, world, scene);
     const double n = foam->slices, visits = (double)foam->cells * foam->cells / TP_FOAM_TICKS;
     const double walls = m.pool ? WALL : 0, hull = hull_cost(&m, foam);
     const bool foams = foam->slices > 1 ? tp_foam_maker_has_waves(&m)
                                         : m.coastal || scene->foam.crest > 0;
-    const double waves = foams ? wave_cost(world, scene, foam) : 0;
 
-    if (n > 1)
-        return visits * (VISIT_SLICED + FADE * covered_share(foam) + (VISIT + walls) / n
-                         + waves / (4 * n) + 0.4 * hull);
-    return visits * (VISIT + walls + waves + hull);
+    work->of[VISITS] += n > 1 ? visits * (VISIT_SLICED + FADE * covered_share(foam)
+                                          + (VISIT + walls) / n + 0.4 * hull)
+                              : visits * (VISIT + walls + hull);
+    if (foams)
+        add_waves(work, world, scene, foam, n > 1 ? visits / (4 * n) : visits);
 }
 
 /* ----------------------------------------------------------------------------------- */
 
-tick_cost tick_cost_estimate(tp_world *world, const tp_scene *scene)
+tick_cost tick_cost_estimate(tp_world *world, const tp_scene *scene,
+                             tp_processor processor)
 {
+    tick_work visits = { { 0 } };
     double sum = 0, most = 0;
 
     for (int i = 0; i < WARM; i++)
         tp_world_step(&tp_program_all, world, scene, NULL);
     for (int i = 0; i < TICKS; i++) {
-        const double pools = step_pools(world, scene);
+        const tick_work work = step_pools(world, scene);
+        const double pools = work_cost(&work, processor);
         sum += pools;
         most = pools > most ? pools : most;
     }
-    const double foam = foam_cost(world, scene);
+    add_foam(&visits, world, scene);
+    const double foam = work_cost(&visits, processor);
     return (tick_cost){ (uint64_t)(sum / TICKS + foam), (uint64_t)(most + foam) };
 }

@@ -27,7 +27,7 @@ static uint64_t estimate_tick(void)
     if (world
         && tp_world_init(&tp_program_all, world, bytes, &web_scene, &web_assets, NULL)
                == TP_OK)
-        tick = tick_cost_estimate(world, &web_scene).mean;
+        tick = tick_cost_estimate(world, &web_scene, page.frame.board->priced_as).mean;
     web_restore_mark(mark);
     return tick;
 }
@@ -52,6 +52,8 @@ static void begin_walk(uint32_t width, uint32_t height)
     tp_view_costs view;
 
     tp_plan_view(&view, &web_scene, &web_assets, width, height);
+    if (page.frame.board)
+        view.processor = page.frame.board->priced_as;
     tp_set_walk_make(&page.walk, &view, page.plan.set, page.plan.open);
     tp_governor_init(&page.governor, &page.walk, (uint32_t)((int64_t)limit * 1000 >> 16));
 }

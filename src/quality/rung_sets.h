@@ -68,8 +68,15 @@ enum {
 enum { TP_SHARE_all, TP_SHARE_sky, TP_SHARE_water, TP_SHARE_mirrored, TP_SHARE_solid,
        TP_SHARE_COUNT };
 
-/* A view with its costs: those of the exact effects, by each water renderer. */
+/* The processor whose instructions a cost counts.  A Cortex-M0+ multiplies to 32 bits only:
+ * a product of 64 bits is a call. */
+typedef enum { TP_PROCESSOR_M4, TP_PROCESSOR_M0PLUS } tp_processor;
+
+/* A view with its costs: those of the exact effects, by each water renderer.  Parts are
+ * those of a Cortex-M4; a set is priced for `processor`, which is a Cortex-M4 unless the
+ * caller sets another one.  The plan never does: all machines draw the same bits. */
 typedef struct tp_view_costs {
+    tp_processor processor;
     tp_view_estimate estimate;
     tp_wave_cull culled;        /* waves too faint to be drawn, at this camera */
     uint32_t water, other;      /* pixels of water that no object hides, and all others */
@@ -80,7 +87,7 @@ typedef struct tp_view_costs {
 } tp_view_costs;
 
 typedef struct {
-    uint64_t cost;              /* Cortex-M4 instructions per frame */
+    uint64_t cost;              /* instructions of the view's processor per frame */
     uint64_t square;            /* mean square error beyond the exact picture, Q16 */
 } tp_set_price;
 

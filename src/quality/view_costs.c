@@ -4,6 +4,7 @@
 #include "quality/rung_sets.h"
 #include "base/base.h"
 #include "quality/conditions.h"
+#include "quality/processor_prices.h"
 #include "quality/rung_prices.h"
 
 _Static_assert(TP_RUNG_KINDS <= 32, "a set's open kinds are bits of a word");
@@ -90,6 +91,7 @@ void tp_view_costs_make(tp_view_costs *view, const tp_prices *prices,
     const uint32_t hidden = works.hidden < g.estimate.water_pixels
                                 ? works.hidden : g.estimate.water_pixels;
 
+    view->processor = TP_PROCESSOR_M4;
     view->estimate = g.estimate;
     view->culled = g.culled;
     view->fast = !(g.estimate.modules & TP_MODULE_EXACT);
@@ -118,13 +120,14 @@ bool tp_rung_takes_effect(const tp_view_costs *view, const tp_rung_set *set, int
     return !e->needs_rung || set->of[e->needs_kind] == e->needs_rung;
 }
 
-tp_set_price tp_set_price_estimate(const tp_view_costs *view, const tp_rung_set *set)
+/* Sets the costs of the parts on a Cortex-M4; returns the set's square error. */
+static uint64_t set_costs(const tp_view_costs *view, const tp_rung_set *set,
+                          uint64_t cost[TP_PART_COUNT])
 {
     const uint8_t *of = set->of;
     const int v = view->estimate.fits[of[TP_KIND_VISIBILITY]] ? of[TP_KIND_VISIBILITY] : 0;
     const uint16_t *factor = tp_part_factors[tp_set_is_fast(view, set)];
-    uint64_t cost[TP_PART_COUNT];
-    tp_set_price sum = { 0, 0 };
+    uint64_t square = 0;
 
     for (int p = 0; p < TP_PART_COUNT; p++)
         cost[p] = view->part[v][p] * factor[p] >> 8;
@@ -137,9 +140,30 @@ tp_set_price tp_set_price_estimate(const tp_view_costs *view, const tp_rung_set 
         for (int p = 0; p < TP_PART_COUNT; p++)
             if (e->parts >> p & 1)
                 cost[p] = cost[p] * price->factor >> 8;
-        sum.square += (uint64_t)price->square[view->estimate.sea]
-                    * (uint32_t)view->share[e->share] >> 8;
+        square += (uint64_t)price->square[view->estimate.sea]
+                * (uint32_t)view->share[e->share] >> 8;
     }
+    return square;
+}
+
+uint64_t tp_set_part_costs(const tp_view_costs *view, const tp_rung_set *set,
+                           uint64_t cost[TP_PART_COUNT])
+{
+    const uint64_t square = set_costs(view, set, cost);
+
+    if (view->processor == TP_PROCESSOR_M0PLUS) {
+        const uint16_t *factor = tp_m0plus_factors[tp_set_is_fast(view, set)];
+        for (int p = 0; p < TP_PART_COUNT; p++)
+            cost[p] = cost[p] * factor[p] >> 8;
+    }
+    return square;
+}
+
+tp_set_price tp_set_price_estimate(const tp_view_costs *view, const tp_rung_set *set)
+{
+    uint64_t cost[TP_PART_COUNT];
+    tp_set_price sum = { 0, tp_set_part_costs(view, set, cost) };
+
     for (int p = 0; p < TP_PART_COUNT; p++)
         sum.cost += cost[p];
     return sum;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Programs that count instructions and memory, for this machine and for boards.
 
-build/host/count.so: tests/budgets/count.c $(BUILD)/flags
+build/host/count.so build/host/cycles.so: build/host/%.so: tests/budgets/%.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -D_POSIX_C_SOURCE=200809L -fPIC -shared $< -o $@
 build/host/tally.so: tests/bench/tally.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -fPIC -shared $< -o $@

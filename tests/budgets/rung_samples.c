@@ -10,6 +10,8 @@
  *         prints pictures to count on the board, and what the plan says of them:
  *             picture KIND RUNG WIDTHxHEIGHT TICK NAME=VALUE...
  *             parts FAST -[,KIND;RUNG;MASK]... COST... ; PREDICTED
+ *             costs FAST COST... ; PREDICTED
+ *         parts: the exact rungs' costs; costs: those of the set, predicted
  *         bases: the exact picture, and that of fast shading; rungs: these, and each rung
  *         alone; mixed: sets at random; sets: some steps of the walk
  *     rung_samples SCENE SEED 0 faces
@@ -28,6 +30,7 @@
 #include "tests/lib/frames.h"
 #include "tests/lib/picture_difference.h"
 #include "tests/lib/random.h"
+#include "quality/processor_prices.h"
 #include "quality/rung_prices.h"
 #include "world/text.h"
 
@@ -203,6 +206,20 @@ static void print_names(const tp_view_costs *c, const tp_rung_set *set)
                    (unsigned)tp_rung_effects[k].parts);
 }
 
+/* Prints the predicted costs of the set's parts. */
+static void print_costs(const tp_view_costs *c, const tp_rung_set *set)
+{
+    uint64_t cost[TP_PART_COUNT], sum = 0;
+
+    tp_set_part_costs(c, set, cost);
+    printf("costs %d", tp_set_is_fast(c, set));
+    for (int p = 0; p < TP_PART_COUNT; p++) {
+        printf(" %" PRIu64, cost[p]);
+        sum += cost[p];
+    }
+    printf(" ; %" PRIu64 "\n", sum);
+}
+
 static void print_picture(const loaded_scene *s, const sample_view *v, int kind, int rung,
                           const tp_rung_set *set)
 {
@@ -229,6 +246,7 @@ static void print_picture(const loaded_scene *s, const sample_view *v, int kind,
         printf(" %" PRIu64, c.part[c.estimate.fits[visibility] ? visibility : 0][p]);
     const tp_set_price price = tp_set_price_estimate(&c, set);
     printf(" ; %" PRIu64 "\n", price.cost);
+    print_costs(&c, set);
 }
 
 /* The exact picture, and that of fast shading alone. */

@@ -23,6 +23,18 @@ CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count pool_edges_c
 
 charts-tools: all build/host/count.so $(CHARTS)
 	@$(MAKE) --no-print-directory BOARD=cortex-m $(CHARTS_ELF)
+# The pictures of the shipped scenes, or of SCENE, for a Cortex-M4 and a Cortex-M0+.
+processor-tools: $(PROGRAM) build/host/count.so build/host/cycles.so
+	@for board in cortex-m cortex-m/m0plus; do \
+	    $(MAKE) --no-print-directory BOARD=$$board \
+	        $(patsubst %,build/$${board##*/}/charts/%.elf,$(or $(ONE),$(SCENES))) || exit 1; \
+	done
+
+# A scene with the rungs of a board's step, which tests/budgets/board-steps.sh writes as
+# options of `tidepool bake`.
+build/baked/rp2040-%.c: build/steps/rp2040-%.txt $(BAKED_FROM)
+	@mkdir -p $(@D)
+	$(SAY)build/host/tidepool bake assets/scenes/$*.ini --name baked $$(cat $<) -o $@
 
 # -- for this machine --------------------------------------------------------------------
 

@@ -102,6 +102,19 @@ cheaper()       # more pictures a second leave less for one
 check "a board that is fast enough keeps real time" holds stm32f746 5 216
 check "at 60 pictures a second it does not" gives_up stm32f746 60
 check "more pictures a second cost less each" cheaper
+# An exact picture takes a Cortex-M0+ two to four times the instructions of a Cortex-M4, which
+# both boards' speeds count.
+own_prices()
+{
+    for board in stm32f405 rp2040; do
+        "$program" plan count-64 --board $board --rung exact --csv | tail -n 1
+    done | awk -F, '{ print; cost[NR] = $5 } END { exit !(cost[2] > 2 * cost[1] &&
+        cost[2] < 4 * cost[1]) }' &&
+        "$program" plan count-64 --board rp2040 | grep -q "M instructions a second" &&
+        "$program" plan count-64 --board esp32s3 |
+            grep -q "M instructions of a Cortex-M4 a second"
+}
+check "a Cortex-M0+ has prices of its own" own_prices
 refused()
 {
     "$program" plan tank --board pdp11 2>"$scratch/said"

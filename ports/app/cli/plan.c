@@ -156,7 +156,7 @@ static int run(const options *o)
         code = plan_ladder_print(&s, o);
     } else if (!code) {
         plan_sheet_make(&p.sheet, &s);
-        p.world = world_rungs_find(&s);
+        p.world = world_rungs_find(&s, TP_PROCESSOR_M4);
         if (o->csv) {
             print_csv(&p);
         } else {

@@ -54,17 +54,18 @@ static void print_steps(const set_ladder *ladder, const loaded_scene *s, uint64_
          "16 samples; ticks 60 and 300.  `tidepool render SCENE --step N` draws a step.");
 }
 
-static uint64_t tick_estimate(const loaded_scene *s)
+static uint64_t tick_estimate(const loaded_scene *s, tp_processor processor)
 {
     tick_cost tick = { 0 };
 
-    return world_rungs_tick(&s->file.scene, &s->assets.names, &tick) ? tick.mean : 0;
+    return world_rungs_tick(&s->file.scene, &s->assets.names, processor, &tick) ? tick.mean
+                                                                              : 0;
 }
 
 int plan_ladder_print(const loaded_scene *s, const options *o)
 {
     static set_ladder ladder;
-    const uint64_t tick = tick_estimate(s);
+    const uint64_t tick = tick_estimate(s, TP_PROCESSOR_M4);
 
     set_ladder_find(&ladder, s, o->width, o->height);
     const int code = ladder_pictures_measure(ladder.step, ladder.count, o, true);
@@ -103,9 +104,9 @@ static void print_board_csv(const plan_board *b, uint32_t fps, uint64_t tick,
 }
 
 /* Prints what makes ticks cheaper, where the scene's values allow it. */
-static void print_world(const loaded_scene *s)
+static void print_world(const loaded_scene *s, tp_processor processor)
 {
-    const world_rungs world = world_rungs_find(s);
+    const world_rungs world = world_rungs_find(s, processor);
 
     if (world.count)
         printf("cheaper ticks, by values of the scene (--set):\n    %s: %.2f M\n",
@@ -120,13 +121,16 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
     const board_frame second = { b, 1000000, tick };
     const uint64_t left = board_frame_budget(&second);
 
-    printf("%s on %s (%s, %u MHz, %.0f M instructions a second; %s)\n"
+    printf("%s on %s (%s, %u MHz, %.0f M instructions %sa second; %s)\n"
            "multiplies %s; %s\n\n",
            s->file.name, b->name, b->processor, (unsigned)b->mhz, millions(b->speed),
-           b->speed_from, b->multiplier, b->source);
-    printf("real time, %u pictures and %d ticks a second: %s; at most %.1f pictures\n",
-           (unsigned)fps, TICKS_A_SECOND, real_time ? "yes" : "no",
-           step->price.cost ? (double)left / (double)step->price.cost : 0);
+           b->own ? "" : "of a Cortex-M4 ", b->speed_from, b->multiplier, b->source);
+    printf("real time, %u pictures and %d ticks a second: %s; ", (unsigned)fps,
+           TICKS_A_SECOND, real_time ? "yes" : "no");
+    if (left && step->price.cost)
+        printf("at most %.1f pictures\n", (double)left / (double)step->price.cost);
+    else
+        printf("ticks alone take %.0f M\n", millions(TICKS_A_SECOND * tick));
     printf("a picture %.2f M, a tick %.2f M instructions; off by %.2f of 255, %.1f dB\n",
            millions(step->price.cost), millions(tick), step->added, step->db);
     printf("RAM %zu of %u KB in tiles of %ux%u%s\n", step->ram / 1024,
@@ -137,13 +141,13 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
     printf("%s\n    ", step->choices[0] ? "gives up:" : "gives up nothing");
     print_choices(step->choices);
     if (!real_time)
-        print_world(s);
+        print_world(s, b->priced_as);
 }
 
 int plan_board_print(const loaded_scene *s, const options *o)
 {
     const uint32_t fps = o->fps ? o->fps : FPS;
-    const board_frame frame = { o->board, 1000000 / fps, tick_estimate(s) };
+    const board_frame frame = { o->board, 1000000 / fps, tick_estimate(s, o->board->priced_as) };
     bool real_time;
     const tp_plan plan = scene_plan_make(s, &frame, o->width, o->height, &real_time);
     ladder_step step = set_ladder_step(s, &plan);

@@ -18,6 +18,8 @@ static void make_view(tp_view_costs *view, const loaded_scene *s)
     const tp_config *config = &s->renderer.config;
 
     tp_plan_view(view, &s->file.scene, &s->assets.names, config->width, config->height);
+    if (s->frame.board)
+        view->processor = s->frame.board->priced_as;
 }
 
 void plan_sheet_make_walk(tp_set_walk *walk, const loaded_scene *s)

@@ -11,7 +11,7 @@ board_frame scene_plan_board_frame(const loaded_scene *s)
     tick_cost tick = { s->frame.tick, 0 };
 
     if (frame.board && !s->frame.board)
-        world_rungs_tick(&s->file.scene, &s->assets.names, &tick);
+        world_rungs_tick(&s->file.scene, &s->assets.names, frame.board->priced_as, &tick);
     frame.tick = tick.mean;
     return frame;
 }

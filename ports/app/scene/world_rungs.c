@@ -104,24 +104,26 @@ static void sort_last(world_rungs *to)
     }
 }
 
-bool world_rungs_tick(const tp_scene *scene, const tp_assets *assets, tick_cost *cost)
+bool world_rungs_tick(const tp_scene *scene, const tp_assets *assets,
+                      tp_processor processor, tick_cost *cost)
 {
     size_t bytes;
     tp_world *world = loaded_scene_new_world(scene, assets, &bytes, &(tp_error){ 0 });
 
     if (!world)
         return false;
-    *cost = tick_cost_estimate(world, scene);
+    *cost = tick_cost_estimate(world, scene, processor);
     free(world);
     return true;
 }
 
 /* Adds the changed scene if its world can be made and its ticks cost less. */
-static bool add_rung(world_rungs *to, const loaded_scene *s, const tp_scene *scene, bool all)
+static bool add_rung(world_rungs *to, const loaded_scene *s, const tp_scene *scene,
+                     tp_processor processor, bool all)
 {
     world_rung *rung = &to->rung[to->count];
 
-    if (!world_rungs_tick(scene, &s->assets.names, &rung->cost)
+    if (!world_rungs_tick(scene, &s->assets.names, processor, &rung->cost)
         || rung->cost.mean >= to->now.mean)
         return false;
     write_settings(&s->file.scene, scene, rung->text, sizeof rung->text);
@@ -132,21 +134,21 @@ static bool add_rung(world_rungs *to, const loaded_scene *s, const tp_scene *sce
     return true;
 }
 
-world_rungs world_rungs_find(const loaded_scene *s)
+world_rungs world_rungs_find(const loaded_scene *s, tp_processor processor)
 {
     const tp_scene *scene = &s->file.scene;
     world_rungs found = { .count = 0 };
     tp_scene all = *scene;
 
     if ((scene->pool.cols == 0 && scene->field.cols == 0 && scene->foam.cells == 0)
-        || !world_rungs_tick(scene, &s->assets.names, &found.now))
+        || !world_rungs_tick(scene, &s->assets.names, processor, &found.now))
         return found;
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         tp_scene changed = *scene;
-        if (changes[i](&changed) && add_rung(&found, s, &changed, false))
+        if (changes[i](&changed) && add_rung(&found, s, &changed, processor, false))
             changes[i](&all);
     }
     if (found.count > 1)
-        add_rung(&found, s, &all, true);
+        add_rung(&found, s, &all, processor, true);
     return found;
 }

@@ -21,10 +21,11 @@ typedef struct {
 } world_rungs;
 
 /* Estimates a tick of a new world of the scene; false: the scene makes no world. */
-bool world_rungs_tick(const tp_scene *scene, const tp_assets *assets, tick_cost *cost);
+bool world_rungs_tick(const tp_scene *scene, const tp_assets *assets,
+                      tp_processor processor, tick_cost *cost);
 
 /* Finds the rungs of a scene that make a tick cheaper and that its checks accept, each
  * alone, the cheapest first, and last all together if there are several.  Runs a second of
  * the scene for each. */
-world_rungs world_rungs_find(const loaded_scene *s);
+world_rungs world_rungs_find(const loaded_scene *s, tp_processor processor);
 #endif
