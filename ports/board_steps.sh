@@ -40,7 +40,8 @@ step()          # SCENE: its line of the table, and its pictures
 if [ "$program" != --page ]; then
     [ $# -gt 0 ] || set -- $("$program" scenes | cut -d' ' -f1)
     mkdir -p "$folder"
-    echo scene,exact_m,world,world_m,board,fps,real_time,choices,frame_m,tick_m,ram,added,db,speed_m \
+    { printf scene,exact_m,world,world_m,
+      echo board,fps,real_time,choices,frame_m,tick_m,ram,added,db,speed_m; } \
         >"$folder/steps.csv"
     for scene; do
         echo "  $folder/$scene-board.png"
