@@ -12,7 +12,7 @@ set yrange [words(scenes) + 0.6:0.4]
 set ytics ()
 set for [i=1:words(scenes)] ytics add (word(scenes, i) i)
 set ytics noenhanced
-set tmargin at screen 0.87
+set tmargin at screen 0.83
 set bmargin at screen 0.09
 set key at screen 0.13,0.99 vertical maxrows 4 width -1
 set xlabel "% above the cheapest set"
