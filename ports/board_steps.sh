@@ -73,22 +73,23 @@ awk -F, -v board=$board -v fps=$fps -v tick=$tick '
         print "# Scenes on an " board ": exact, and what the board draws\n"
         print "Left the exact picture, right the step that `tidepool plan SCENE --board " \
             board " --fps " fps "`"
-        print "finds: what the board draws " fps " times a second beside 60 ticks, or its " \
-            "cheapest step that keeps"
-        print "28 dB. Tick " tick ". Instructions are the plan\047s estimates; dB are those " \
-            "of the pictures at ticks"
+        print "finds: what the board draws " fps " times a second beside 60 ticks, or " \
+            "its cheapest step that keeps"
+        print "28 dB. Tick " tick ". Instructions are the plan\047s estimates; dB are " \
+            "those of the pictures at ticks"
         print "60 and 300 against the exact ones."
-        print "`ports/board_steps.sh build/host/tidepool assets/gallery/boards` makes this again."
+        print "`ports/board_steps.sh build/host/tidepool assets/gallery/boards` makes " \
+            "this again."
         next
     }
     {
         scene = $1; exact = $2; world = $3; world_m = $4; real_time = $7; choices = $8
         frame = $9; tick_m = $10; db = $13; speed = $14
         printf "\n## %s\n\n", scene
-        printf "| exact: %s M instructions | %s: %s M, %s dB |\n|---|---|\n", exact, board, \
-            frame, db
-        printf "| ![%s, exact](%s-exact.png) | ![%s, as the board draws it](%s-board.png) |\n\n", \
-            scene, scene, scene, scene
+        printf "| exact: %s M instructions | %s: %s M, %s dB |\n", exact, board, frame, db
+        print "|---|---|"
+        printf "| ![%s, exact](%s-exact.png) ", scene, scene
+        printf "| ![%s, as the board draws it](%s-board.png) |\n\n", scene, scene
         rate = pictures(frame, tick_m)
         if (rate > 0)
             printf "At most %.1f pictures a second%s.", rate, \
@@ -96,7 +97,7 @@ awk -F, -v board=$board -v fps=$fps -v tick=$tick '
         else
             printf "No picture: 60 ticks of %s M take more than the board has.", tick_m
         if (real_time != "yes" && world != "")
-            printf " With\n`%s`\na tick takes %s M: %.1f pictures a second.", world, world_m, \
-                pictures(frame, world_m)
+            printf " With\n`%s`\na tick takes %s M: %.1f pictures a second.", world, \
+                world_m, pictures(frame, world_m)
         printf "\nGives up: %s.\n", given_up(choices)
     }' "$folder/steps.csv" >"$folder/README.md"

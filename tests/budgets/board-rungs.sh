@@ -20,8 +20,8 @@ set -- $(basename -s .ini assets/scenes/*.ini)
 check "the pictures are drawn" ports/board_steps.sh "$program" "$drawn" "$@"
 [ "$failed" = 0 ] || exit 1
 # Lines of the table.
-awk -F, 'NR > 1 { printf "| `%s` | %s | %s | %d | %s | %s |\n", $1, $9, $10, $11 / 1024, $13,
-                      $7 }' "$drawn/steps.csv" >"$scratch/table"
+awk -F, 'NR > 1 { printf "| `%s` | %s | %s | %d | %s | %s |\n", $1, $9, $10, $11 / 1024,
+                      $13, $7 }' "$drawn/steps.csv" >"$scratch/table"
 if [ -n "$write" ]; then
     awk -v table="$scratch/table" '
         /<!-- board rungs/ {

@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Plain water as rows of the chart `boards`: pictures a second of each board by Tidepool, whose
-# instructions are counted (tests/budgets/scenes.csv), and by the peers of peers.csv, whose
-# instructions a pixel are multiplied by the same pixels of water.  A board's instructions a
-# second are those of `tidepool plan --board`; boards without an FPU take the peers' counts in
-# software.
+# Plain water as rows of the chart `boards`: pictures a second of each board by Tidepool,
+# whose instructions are counted (tests/budgets/scenes.csv), and by the peers of peers.csv,
+# whose instructions a pixel are multiplied by the same pixels of water.  A board's
+# instructions a second are those of `tidepool plan --board`; boards without an FPU take the
+# peers' counts in software.
 . "$(dirname "$0")/../lib/script.sh"
 
 build/host/tests/charts/ladder boards >"$scratch/boards" || exit 1

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Writes the table of tests/charts/choices.sh from its files, in its order.  `frames`: number of
-# golden pictures; `machines`: of the processors that draw them.
+# Writes the table of tests/charts/choices.sh from its files, in its order.  `frames`: number
+# of golden pictures; `machines`: of the processors that draw them.
 BEGIN { FS = "," }
 FNR == 1 { file = FILENAME; sub(/.*\//, "", file) }
 /^#/ { next }
@@ -67,8 +67,8 @@ END {
         "[boards](boards.png), [pictures](../gallery/boards/README.md)")
     row("plain waves, as fast as possible",
         "`--rung fast --set quality.visibility=rows --set quality.rows=pairs`",
-        sprintf("%.1f M instructions, %.0f pictures a second on an stm32f405; the fastest " \
-                "peer %.0f", plain / 1e6, pictures["plain-64+cheap"], peer),
+        sprintf("%.1f M instructions, %.0f pictures a second on an stm32f405; the " \
+                "fastest peer %.0f", plain / 1e6, pictures["plain-64+cheap"], peer),
         "[boards](boards.png)")
     row("many ticks a second with foam", "`--set foam.slices=4`",
         sprintf("deep-sea: %.2f M instructions a tick, %.2f M without",
@@ -84,7 +84,8 @@ END {
         sprintf("count-64: %.1f KB beside the picture and constant tables", ram / 1024),
         "[memory](../../ports/BOARDS.md#memory-by-use)")
     row("the smallest program", "`tidepool bake` of a scene without features",
-        sprintf("%.1f KB of code and constants", (least["text"] + least["constants"]) / 1024),
+        sprintf("%.1f KB of code and constants",
+                (least["text"] + least["constants"]) / 1024),
         "[its scene](../../tests/budgets/least.ini)")
     row("water that comes to rest", "any pool below the bound of its damping",
         sprintf("%d of %d pools rest exactly", rests, pools),

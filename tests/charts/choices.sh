@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The table that opens the charts' page: what a reader may want, what to take, and the figure
-# behind it, from the tables of the charts and of the budgets.
+# The table that opens the charts' page: what a reader may want, what to take, and the
+# figure behind it, from the tables of the charts and of the budgets.
 #
 #   tests/charts/choices.sh             compares page.md and the page with the tables
 #   tests/charts/choices.sh --write     writes the table into both
@@ -20,7 +20,11 @@ awk -v frames="$(cat tests/golden/*/*.crc | grep -c crc32)" \
 if [ "${1:-}" = --write ]; then
     for file in $template $page; do
         awk -v table="$scratch/table" '
-            /<!-- choices/   { print; while ((getline line <table) > 0) print line; skip = 1 }
+            /<!-- choices/ {
+                print
+                while ((getline line <table) > 0) print line
+                skip = 1
+            }
             /<!-- \/choices/ { skip = 0 }
             !skip' $file >"$scratch/page" && cp "$scratch/page" $file
     done

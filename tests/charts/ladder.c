@@ -7,10 +7,10 @@
  *         prints the boards: NAME INSTRUCTIONS_A_SECOND PROCESSOR
  *
  * Steps, errors and RAM are those of `tidepool plan SCENE --ladder --csv`, 320x240, costs
- * the plan's estimates.  A board has the step of `tidepool plan SCENE --board NAME --fps 10`:
- * the one that it draws 10 times a second beside 60 ticks, or the cheapest that keeps 28 dB.
- * Pictures a second are the board's instructions without those of the ticks, over those of a
- * picture. */
+ * the plan's estimates.  A board has the step of `plan SCENE --board NAME --fps 10`: the
+ * one that it draws 10 times a second beside 60 ticks, or the cheapest that keeps 28 dB.
+ * Pictures a second are the board's instructions without those of the ticks, over those of
+ * a picture. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>

@@ -9,8 +9,8 @@
  * (tp_set_price_estimate).  The cheapest set is exact, not sampled.  With the water's
  * renderer and fast shading chosen, kinds that change no part in common change the cost by
  * amounts that add, as their errors do: regret_search.c lists all sets of each group of
- * kinds, keeps those that no other beats in both, and joins groups by sums.  Sets at random,
- * each improved by single changes, must find no cheaper set.
+ * kinds, keeps those that no other beats in both, and joins groups by sums.  Sets at
+ * random, each improved by single changes, must find no cheaper set.
  *
  * walk     the last step of the walk within the budget
  * single   that set, then the single change that saves most and stays within it, until none

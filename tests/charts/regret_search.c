@@ -4,8 +4,8 @@
  * Given the water's renderer and the shading, a kind's rung multiplies the parts that it
  * changes and adds its error.  Kinds without a part in common therefore add in both.  Each
  * group of kinds that are linked by parts is listed whole; of its sets those stay that no
- * other beats in cost and error (its front).  Fronts of two groups are joined by all sums of
- * their points.  A point that is left out has one that is as cheap and as exact in its
+ * other beats in cost and error (its front).  Fronts of two groups are joined by all sums
+ * of their points.  A point that is left out has one that is as cheap and as exact in its
  * group, and so in every sum: the result is the optimum, to the bit. */
 #include "tests/charts/regret_search.h"
 #include <stdlib.h>

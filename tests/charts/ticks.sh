@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 # Costs of a tick as rows of the sweep:
 #
-#   tests/charts/ticks.sh                    counted: the parts of each scene's tick in a
-#                                            fixed order, and the rest; `all` is their sum
-#   tests/charts/ticks.sh predicted SCENE    the plan's estimates: as shipped, at the cheapest
-#                                            rungs, and at all world rungs that the plan names
+#   tests/charts/ticks.sh                   counted: the parts of each scene's tick in a
+#                                           fixed order, and the rest; `all` is their sum
+#   tests/charts/ticks.sh predicted SCENE   the plan's estimates: as shipped, at the
+#                                           cheapest rungs, and at all world rungs
 . "$(dirname "$0")/../lib/script.sh"
 
 program=${TP_PROGRAM:-build/host/tidepool}
@@ -19,7 +19,10 @@ planned()       # NAME COLUMN OPTION...: the plan's estimate of a tick, of the w
     "$program" plan "$@" --csv >"$scratch/plan" || exit 1
     awk -F, -v name="$name" -v column="$column" '
         $1 == "tick" && ($2 != "") == (column == "world") { tick = $4 }
-        END { if (column != "world" || tick) print "ticks," name ";all,predicted," tick + 0 }
+        END {
+            if (column != "world" || tick)
+                print "ticks," name ";all,predicted," tick + 0
+        }
         ' "$scratch/plan"
 }
 if [ "${1:-}" = predicted ]; then
