@@ -81,6 +81,7 @@ views: $(BUILD)/tests/bench/views build/host/tally.so
 ## run the whole sweep of speed against accuracy into assets/charts
 charts: charts-tools
 	@$(PROGRAM) charts assets/charts
+	@tests/charts/choices.sh --write
 ## build the reference renderer: double precision, slow
 reference: $(BUILD)/reference
 ## feed random input to all readers, FUZZ_SECONDS (6) for each

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Draws every shipped scene for the README, and a contact sheet of all scenes; then tour.sh
-# takes pictures of the preview and of the page.
+# Draws every shipped scene for the README, and a contact sheet of all scenes; board_steps.sh
+# draws them as a board would; then tour.sh takes pictures of the preview and of the page.
 #
 #   ports/gallery.sh PROGRAM FOLDER
 #
@@ -54,4 +54,5 @@ echo "  $folder/sheet.png"
 # shellcheck disable=SC2086
 montage -font DejaVu-Sans -pointsize 14 $cells -resize 256x192 -geometry 256x192+3+3 \
     -tile 5x -background '#f4f4f0' -fill '#202428' -depth 8 -strip "PNG24:$folder/sheet.png"
+"${0%/*}/board_steps.sh" "$program" "$folder/boards"
 "${0%/*}/tour.sh" "$program" "$folder"

@@ -164,6 +164,7 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	@$(SOAK) $(RUN) build/log/soak \
 	    $(patsubst %,tests/gates/%.sh,coverage sanitized host) \
 	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh tests/accuracy/rungs.sh \
+	    tests/charts/sweep.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
                 effects rung-judge board-rungs) \

@@ -8,7 +8,7 @@
  * branches 2 and 3.  Waits for flash and for the other core are not in it. */
 #include "boards.h"
 
-#define SQUARE_28_DB (100ull << 16)     /* of 10 levels, Q16 */
+#define SQUARE_MOST (196ull << 16)      /* of 14 levels, Q16 */
 #define KB 1024u
 #define MB (1024u * KB)
 #define M  1000000ull
@@ -73,7 +73,7 @@ tp_plan board_plan_make(const board_frame *frame, const tp_scene *scene,
     plan.set = tp_rung_set_named(scene, true, &plan.open);
     *real_time = tp_set_fit(&view, &plan.set, plan.open, board_frame_budget(frame));
     if (!*real_time)
-        tp_set_choose(&view, &plan.set, plan.open, SQUARE_28_DB);
+        tp_set_choose(&view, &plan.set, plan.open, SQUARE_MOST);
     plan.price = tp_set_price_estimate(&view, &plan.set);
     return plan;
 }

@@ -141,22 +141,41 @@ static bool exchange(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
     return least < here;
 }
 
+/* Walks from a set, and changes *best to the cheapest set of the walk within the error, if
+ * that is cheaper. */
+static void choose_by_walk(const tp_view_costs *view, tp_rung_set at, uint32_t open,
+                           uint64_t most, tp_rung_set *best)
+{
+    uint64_t least = tp_set_price_estimate(view, best).cost;
+
+    for (int i = 0; i < TP_SET_STEPS; i++) {
+        const tp_set_price price = tp_set_price_estimate(view, &at);
+        if (price.square <= most && price.cost < least) {
+            *best = at;
+            least = price.cost;
+        }
+        if (!take_cheaper(view, &at, open))
+            return;
+    }
+}
+
+/* Fast shading pays only with several of its rungs, so a second walk begins there. */
 void tp_set_choose(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
                    uint64_t most)
 {
-    const tp_set_price from = tp_set_price_estimate(view, set);
-    const uint64_t limit = from.square > most ? from.square : most;
-    tp_rung_set at = *set;
-    uint64_t least = from.cost;
+    const uint64_t named = tp_set_price_estimate(view, set).square;
+    const uint64_t limit = named > most ? named : most;
+    tp_rung_set best[2] = { *set, *set };
 
-    for (int i = 0; i < TP_SET_STEPS && take_cheaper(view, &at, open); i++) {
-        const tp_set_price price = tp_set_price_estimate(view, &at);
-        if (price.square <= limit && price.cost < least) {
-            *set = at;
-            least = price.cost;
-        }
-    }
-    save_all(view, set, open, limit);
+    choose_by_walk(view, *set, open, limit, &best[0]);
+    save_all(view, &best[0], open, limit);
+    if (open >> TP_KIND_SHADING & 1)
+        choose_by_walk(view, changed(view, *set, TP_KIND_SHADING, 1, open), open, limit,
+                       &best[1]);
+    save_all(view, &best[1], open, limit);
+    const bool second = tp_set_price_estimate(view, &best[1]).cost
+                      < tp_set_price_estimate(view, &best[0]).cost;
+    *set = best[second];
     while (exchange(view, set, open, limit))
         continue;
 }

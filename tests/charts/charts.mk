@@ -14,14 +14,14 @@ SPAN_SCENES := from-above three-swells
 SPAN_STEPS  := 0 1 8 16 32
 SPAN_O      := $(addprefix $(AT)/,span_scene.o span_steps.o span_true.o \
                    $(SPAN_STEPS:%=span_step_%.o))
-CHARTS      := $(addprefix $(AT)/,errors frames kernels pool_count \
-                   pool_edges_count pools reference \
+CHARTS      := $(addprefix $(AT)/,errors frames kernels ladder pool_count \
+                   pool_edges_count pools reference regret \
                    rough_fresnel stability visibility wave_cells $(SPAN_SCENES:%=span-%) \
                    $(SPAN_SCENES:%=span_errors-%) $(SCENES:%=board-%))
 CHARTS_ELF  := $(patsubst %,build/cortex-m/%.elf,kernels pool_count pool_edges_count \
                    $(SPAN_SCENES:%=span-%) $(SCENES:%=charts/%))
 
-charts-tools: all build/host/count.so $(CHARTS)
+charts-tools: all build/host/count.so $(CHARTS) $(BUILD)/tests/budgets/rung_samples
 	@$(MAKE) --no-print-directory BOARD=cortex-m $(CHARTS_ELF)
 # The pictures of the shipped scenes, or of SCENE, for a Cortex-M4 and a Cortex-M0+.
 processor-tools: $(PROGRAM) build/host/count.so build/host/cycles.so
@@ -47,6 +47,10 @@ $(SCENES:%=$(AT)/board-%): \
 $(AT)/errors: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/charts/errors*.c)) \
           $(filter-out %/kernels.o,$(KERNELS_O)) \
           $(AT)/used.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(AT)/ladder: $(AT)/ladder.o $(BUILD)/ports.a $(LIB)
+	$(SAY)$(LINK) $^ $(LIBS) -o $@
+$(AT)/regret: $(AT)/regret.o $(AT)/regret_search.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(AT)/rough_fresnel $(AT)/wave_cells: $(AT)/%: $(AT)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -lm -o $@

@@ -19,6 +19,14 @@ if (term eq "svg") {
         set terminal png size 900,600 enhanced font font . ",15" linewidth 1.6
     }
 }
+# A picture of another height and size of letters: eval sized(1100, 12)
+sized(height, letters) = "set output; set terminal " . (term eq "svg" ? \
+    sprintf('svg size 900,%d dynamic enhanced background "white" font "%s,%d"', \
+            height, font, letters * 4 / 3) : \
+    sprintf('%s size 900,%d enhanced font "%s,%d"', strstrt(GPVAL_TERMINALS, "pngcairo") \
+            ? "pngcairo" : "png", height, font, letters)) . \
+    ' linewidth 1.6; set output "' . out . "." . term . '"'
+
 set output out . "." . term
 set encoding utf8
 set datafile separator ","

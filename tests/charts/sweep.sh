@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # The shipped charts are complete, and a small sweep gives the same counts on the Cortex-M4
 # and the same errors, cell by cell.  Counts of x86-64 depend on this machine's compiler:
-# they are not compared, nor are times.
+# they are not compared, nor are times.  With TP_SOAK set the charts of the plan are made
+# whole.
 #     sweep.sh PROGRAM
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
@@ -59,6 +60,7 @@ for chart in tests/charts/*.ini; do
 done
 check "every table has its chart" described
 check "no picture is heavy" light
+check "the table that opens the page has the measured figures" tests/charts/choices.sh
 
 drawn()         # CHART: gnuplot draws its table without a message
 {
@@ -146,6 +148,10 @@ altered()       # CHART: the same with one changed figure
     return $code
 }
 check "a small sweep is made" "$program" charts "$scratch/small" --small
+if [ -n "$TP_SOAK" ]; then
+    check "the charts of the plan are made" "$program" charts "$scratch/small" \
+        --only boards,ladder,plan,predicted,regret,ticks
+fi
 first=
 for chart in $charts; do
     [ -e "$scratch/small/$chart.csv" ] || continue

@@ -18,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/lib/reference_difference.h"
+#include "quality/plan.h"
 #include "tests/charts/words.h"
 
 #define FOLDER "assets/scenes/"

@@ -176,7 +176,7 @@ exits 2 "no command" sail
 # -- scripts ----------------------------------------------------------------------------
 
 cd "$root" || exit 2
-for script in run gallery tour setup web/pack; do
+for script in run gallery board_steps tour setup web/pack; do
     "ports/$script.sh" >"$work/out" 2>"$work/err" </dev/null
     same "ports/$script.sh without arguments is a usage error" \
         "$? $(grep -c "ports/$script.sh" "$work/err")" "2 1"

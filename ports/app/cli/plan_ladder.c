@@ -97,10 +97,10 @@ static void print_choices(const char *text)
 static void print_board_csv(const plan_board *b, uint32_t fps, uint64_t tick,
                             const ladder_step *step, bool real_time)
 {
-    puts("board,fps,real_time,choices,frame_m,tick_m,ram,added,db");
-    printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%.2f,%.1f\n", b->name, (unsigned)fps,
+    puts("board,fps,real_time,choices,frame_m,tick_m,ram,added,db,speed_m");
+    printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%.2f,%.1f,%.1f\n", b->name, (unsigned)fps,
            real_time ? "yes" : "no", step->choices, millions(step->price.cost), millions(tick),
-           step->ram, step->added, step->db);
+           step->ram, step->added, step->db, millions(b->speed));
 }
 
 /* Prints what makes ticks cheaper, where the scene's values allow it. */
