@@ -174,6 +174,16 @@
                                          4 * this.width * this.height);
         }
 
+        /* Returns the steps of quality as text, the plan first, the number of the drawn one,
+         * and what the scene's board does; '' for no board. */
+        ladder() {
+            const count = this.c.ladder_steps(), steps = [];
+            for (let i = 0; i < count; i++)
+                steps.push(this.string(this.c.ladder_text(i)));
+            return { steps, at: this.c.ladder_at(),
+                     board: this.string(this.c.board_text()) };
+        }
+
         crc() { return (this.c.crc() >>> 0).toString(16).padStart(8, '0'); }
 
         /* Returns the input of the next step, the fields of tp_input without its pokes. */

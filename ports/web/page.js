@@ -53,9 +53,20 @@
             ? `frame ${String(state.frame).padStart(4, '0')} crc32 ${engine.crc()}` : '';
     }
 
+    /* Lists the steps of quality, the drawn one in bold. */
+    function listSteps() {
+        if (!$('ladder').open)
+            return;
+        const ladder = engine.ladder();
+        $('board').textContent = ladder.board;
+        $('steps').replaceChildren(...ladder.steps.map((text, i) =>
+            make('li', { className: i === ladder.at ? 'drawn' : '' }, text)));
+    }
+
     function rate(now) {
         if (now - shown < 500)
             return;
+        listSteps();
         const middle = times.sort((a, b) => a - b)[times.length >> 1];
         const speed = Math.round(1000 * times.length / (now - shown));
         const steps = state.steps ? ` · quality ${state.steps} steps down` : '';

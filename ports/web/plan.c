@@ -34,15 +34,14 @@ static uint64_t estimate_tick(void)
 
 static tp_plan find_plan(uint32_t width, uint32_t height)
 {
-    tp_plan plan;
+    tp_scene loaded = web_scene;
 
-    if (!page.frame.board)
-        return tp_plan_make(&web_scene, &web_assets, width, height);
-    plan = board_plan_make(&page.frame, &web_scene, &web_assets, width, height,
-                           &page.real_time);
-    plan.set.of[TP_KIND_mesh] = 0;
-    plan.open &= ~(1u << TP_KIND_mesh);
-    return plan;
+    if (loaded.quality.mesh == TP_MESH_AUTO)
+        loaded.quality.mesh = TP_MESH_FULL;
+    if (page.frame.board)
+        return board_plan_make(&page.frame, &loaded, &web_assets, width, height,
+                               &page.real_time);
+    return tp_plan_make(&loaded, &web_assets, width, height);
 }
 
 /* Begins the walk and its governor with the plan. */

@@ -29,7 +29,6 @@ WEB_SMALL := $(foreach o,$(WEB_FAST),$(if $(findstring fast,$(notdir $o))$(filte
                 $(addprefix %/,cell.o fan_packed_vertices.o fan_table_vertices.o),$o),$o))
 WEB_OPT  := -Oz -Dalways_inline=
 $(filter-out $(WEB_SMALL),$(WEB_FAST)): WEB_OPT := -Os -msimd128
-$(WASM)/src/features/all.o: WEB_FLAGS += -DTP_NO_REPORTS
 
 page: $(WEB_PAGE) $(WEB)/module.js $(WEB)/files.js
 

@@ -6,11 +6,7 @@
 static const tp_use all[] = {
 #define X(name) TP_USE(name),
 #define N(name) TP_USE_UNSEEN(name),
-#ifdef TP_NO_REPORTS            /* a program without reports of the quality plan */
-#define P(name) TP_USE(name),
-#else
 #define P(name) TP_USE_PRICED(name),
-#endif
     TP_MODULE_LIST(X, N, P)
 #undef P
 #undef N

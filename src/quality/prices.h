@@ -201,8 +201,8 @@ typedef struct {
     uint32_t stopped;           /* rays stopped by this feature's `stops` */
 } tp_work_pixels;
 
-/* The fourth part of a module, used for reports of the plan: the cost of its objects.  A
- * program without reports does not link this part.  All members may be NULL. */
+/* The fourth part of a module, used by the plan: the cost of its objects.  A program without
+ * the plan does not link this part.  All members may be NULL. */
 typedef struct tp_cost {
     /* Counts work known from the geometry, and the rays that its objects stop. */
     void (*work)(tp_site *site);

@@ -231,6 +231,32 @@ async function searching(page) {
        'camera.fov angle');
 }
 
+/* The steps of quality, and a board's picture. */
+async function quality(page) {
+    const size = '160x120', set = 'quality.board=stm32f405';
+    await pick(page, '#size', size);
+    await page.click('#ladder summary');
+    await page.waitForFunction(() => document.querySelector('#steps li.drawn'));
+    is('the steps of quality are listed, the plan is drawn',
+       (await page.textContent('#steps li.drawn')).slice(-8), 'the plan');
+    is('there are several', await page.locator('#steps li').count() > 4, true);
+    await pick(page, '#scene', 'storm');
+    await page.evaluate(() => {
+        document.getElementById('p-quality.board').closest('details').open = true;
+    });
+    await pick(page, field('quality.board'), 'stm32f405');
+    await page.click('#restart');
+    await settle(page);
+    is('a board draws what the program draws for it', await sum(page),
+       told('storm', size, 0, set, 'quality.mesh=full'));
+    await page.waitForFunction(() => document.getElementById('board').textContent);
+    is('and what it does is told',
+       (await page.textContent('#board')).slice(0, 11), 'stm32f405: ');
+    await page.click('#reset');
+    await settle(page);
+    await page.click('#ladder summary');
+}
+
 async function userInput(page) {
     const box = await page.locator('#canvas').boundingBox();
     const at = (x, y) => [box.x + box.width * x, box.y + box.height * y];
@@ -444,6 +470,7 @@ try {
     await scenes(page);
     await values(page);
     await searching(page);
+    await quality(page);
     await userInput(page);
     await sharing(context, page);
     await context.close();
