@@ -57,11 +57,19 @@ static void begin_walk(uint32_t width, uint32_t height)
     tp_governor_init(&page.governor, &page.walk, (uint32_t)((int64_t)limit * 1000 >> 16));
 }
 
-void web_plan_make(uint32_t width, uint32_t height)
+/* Takes the scene's board; a tick is estimated if `anew`, or if there was no board. */
+static void find_board(bool anew)
 {
+    const board_frame before = page.frame;
+
     page.frame = board_frame_of_scene(&web_scene);
     if (page.frame.board)
-        page.frame.tick = estimate_tick();
+        page.frame.tick = anew || !before.board ? estimate_tick() : before.tick;
+}
+
+void web_plan_make(uint32_t width, uint32_t height)
+{
+    find_board(true);
     page.plan = find_plan(width, height);
     begin_walk(width, height);
 }
@@ -69,12 +77,10 @@ void web_plan_make(uint32_t width, uint32_t height)
 bool web_plan_renew(uint32_t width, uint32_t height)
 {
     const tp_plan before = page.plan;
-    const uint64_t tick = page.frame.tick;
     const bool stepped = page.governor.at > 0;
     bool same = true;
 
-    page.frame = board_frame_of_scene(&web_scene);
-    page.frame.tick = tick;
+    find_board(false);
     page.plan = find_plan(width, height);
     begin_walk(width, height);
     for (int k = 0; k < TP_RUNG_KINDS; k++)
