@@ -8,8 +8,8 @@
  *
  * Steps, errors and RAM are those of `tidepool plan SCENE --ladder --csv`, 320x240, costs
  * the plan's estimates.  A board has the step of `plan SCENE --board NAME`, in instructions
- * of the processor by which it is priced.  Pictures a second are the board's instructions without those of the ticks, over those of
- * a picture. */
+ * of the processor by which it is priced.  Pictures a second are the board's instructions
+ * without those of the ticks, over those of a picture. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>

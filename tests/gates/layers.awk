@@ -51,7 +51,7 @@ BEGIN {
           "interact=world/pools.h interact=features/drops/drops.h " \
           "interact=features/exposure/exposure.h " \
           "interact=features/foam/foam_visit.h interact=waves/coastal_tables.h " \
-          "interact=quality/plan.h " \
+          "interact=quality/plan.h interact=quality/rung_sets.h " \
           "web=mesh/mesh.h web=base/base.h web=world/text.h web=world/world.h " \
           "web=frame/tools.h " \
           "web=pixel/pixel.h web=world/pools.h web=features/drops/drops.h", grants, " ")

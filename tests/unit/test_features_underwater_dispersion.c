@@ -125,25 +125,31 @@ static void rungs_without_dispersion_are_equal(void **state)
     }
 }
 
-/* In the fast view only the rung fast has dispersion. */
+/* In the fast view only the rung fast has dispersion.  A view of little water may show none:
+ * one in 17 scenes. */
 static void fast_views_keep_to_one_place(void **state)
 {
     static uint32_t first[PIXELS], other[PIXELS];
-    tp_scene s = dispersed_scene(LEVEL, 0.1);
-    const tp_assets assets = clear_assets(LEVEL, &boat);
-    tp_world *world = stirred_world(&s, &assets);
+    int shown = 0;
 
     (void)state;
-    for (int32_t rung = TP_RUNG_AUTO; rung <= TP_DISPERSION_OFF; rung++) {
-        const bool shifts = rung == TP_RUNG_FAST;
-        set_view(&s, FAST_VIEW, rung);
-        assert_ptr_equal(draw(&s, &assets, world, 0, 0, rung ? other : first),
-                         tp_clear_water_stages[shifts ? TP_NTH_quick_refract_shifted
-                                                      : TP_NTH_quick_refract]);
-        if (rung > 0)
-            assert_int_equal(memcmp(first, other, sizeof first) != 0, shifts);
+    for (int n = 0; n < 6; n++) {
+        tp_scene s = dispersed_scene(LEVEL, 0.1);
+        const tp_assets assets = clear_assets(LEVEL, &boat);
+        tp_world *world = stirred_world(&s, &assets);
+        for (int32_t rung = TP_RUNG_AUTO; rung <= TP_DISPERSION_OFF; rung++) {
+            const bool shifts = rung == TP_RUNG_FAST;
+            set_view(&s, FAST_VIEW, rung);
+            assert_ptr_equal(draw(&s, &assets, world, 0, 0, rung ? other : first),
+                             tp_clear_water_stages[shifts ? TP_NTH_quick_refract_shifted
+                                                          : TP_NTH_quick_refract]);
+            const bool same = memcmp(first, other, sizeof first) == 0;
+            assert_true(rung == 0 || shifts || same);
+            shown += shifts && !same;
+        }
+        free(world);
     }
-    free(world);
+    assert_true(shown >= 3);
 }
 
 /* Scenes of shifted colours in the fast view are nearer to exact ones than those without. */

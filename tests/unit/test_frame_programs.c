@@ -156,6 +156,7 @@ static tp_scene quick_scene(int32_t rate)
     s.quality.visibility = TP_VISIBILITY_TRIANGLES;
     s.quality.shading = TP_SHADING_QUICK;
     s.quality.rate = rate;
+    s.quality.layers = s.quality.distortion = s.quality.ripple = TP_RUNG_FAST;
     s.distortion.strength = TP_FX_ONE;
     return s;
 }
