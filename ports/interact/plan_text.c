@@ -51,8 +51,19 @@ static const tp_param *row_of_kind(int kind)
     return tp_param_find(name, bytes);
 }
 
+/* Returns the name of a kind's row from its part after "quality.", if it has one. */
+static const char *short_name(int kind)
+{
+    const char *name = tp_rung_kind_row(kind);
+
+    for (const char *part = "quality."; *part; part++)
+        if (*name++ != *part)
+            return tp_rung_kind_row(kind);
+    return name;
+}
+
 void plan_text_add_changes(plan_text *to, const tp_scene *scene, const tp_rung_set *from,
-                           const tp_rung_set *with)
+                           const tp_rung_set *with, bool whole)
 {
     tp_scene before = *scene, after = *scene;
     const char *between = "";
@@ -66,7 +77,7 @@ void plan_text_add_changes(plan_text *to, const tp_scene *scene, const tp_rung_s
         if (same(was, is))
             continue;
         plan_text_add(to, between);
-        plan_text_add(to, tp_rung_kind_row(k));
+        plan_text_add(to, whole ? tp_rung_kind_row(k) : short_name(k));
         plan_text_add(to, "=");
         plan_text_add(to, is);
         between = " ";

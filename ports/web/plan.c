@@ -122,7 +122,8 @@ EXPORT(const char *, ladder_text, uint32_t i)
     plan_text_add_price(&to, page.walk.price[i]);
     plan_text_add(&to, ": ");
     if (i > 0)
-        plan_text_add_changes(&to, &web_scene, &page.walk.set[i - 1], &page.walk.set[i]);
+        plan_text_add_changes(&to, &web_scene, &page.walk.set[i - 1], &page.walk.set[i],
+                              false);
     else
         plan_text_add(&to, "the plan");
     return web_text;

@@ -224,7 +224,7 @@ static void the_plan_follows_the_scene(void **state)
     snprintf(want, sizeof want, "*0\t%.2f M, off ", (double)plan.price.cost / 1e6);
     assert_memory_equal(p.plan, want, strlen(want));
     assert_non_null(strstr(p.plan, "\tthe plan\n1\t"));
-    assert_non_null(strstr(p.plan, "\tquality."));
+    assert_non_null(strstr(p.plan, "\n1\t"));
     assert_int_equal(scene_file_set(&s.file, "quality.lines=half"), 0);
     performance_describe_scene(f, &kept, &s, NULL);
     assert_int_not_equal(strncmp(shown_of(f, SECOND).plan, want, strlen(want)), 0);
@@ -242,14 +242,14 @@ static void a_board_is_told(void **state)
     (void)state;
     open_scene(&s, settings, 2);
     performance_describe_scene(f, &kept, &s, NULL);
-    const char *board = strstr(shown_of(f, SECOND).plan, "\n\tstm32f405: ");
+    const char *board = strstr(shown_of(f, SECOND).plan, "\nstm32f405\t");
     assert_non_null(board);
-    assert_non_null(strstr(board, " pictures a second, keeps quality.frame_ms"));
+    assert_non_null(strstr(board, " pictures/s\tin time"));
     loaded_scene_close(&s);
     settings[1] = "quality.frame_ms=0.1";
     open_scene(&s, settings, 2);
     performance_describe_scene(f, &kept, &s, NULL);
-    assert_non_null(strstr(shown_of(f, SECOND).plan, "too slow for quality.frame_ms"));
+    assert_non_null(strstr(shown_of(f, SECOND).plan, " pictures/s\ttoo slow"));
     loaded_scene_close(&s);
     performance_end(f);
 }

@@ -73,5 +73,5 @@ void plan_write_changes(const tp_scene *scene, const tp_rung_set *from,
     plan_text rows = { text, bytes, 0 };
 
     plan_text_add(&rows, "");
-    plan_text_add_changes(&rows, scene, from, to);
+    plan_text_add_changes(&rows, scene, from, to, true);
 }

@@ -80,16 +80,17 @@ static void follow(performance_plan *kept, const loaded_scene *s)
     plan_sheet_make(&kept->sheet, s);
 }
 
-/* Adds "4, 12.31 M, off 3.12: quality.light=fast"; the star marks the step drawn now. */
+/* Adds "4, 12.31 M, off 3.12, light=fast"; the star marks the step drawn now. */
 static void add_step(performance_sheet *to, const plan_sheet *p, const tp_scene *scene,
                      uint32_t i, uint32_t drawn)
 {
-    char price[64], rows[640] = "the plan";
-    plan_text text = { price, sizeof price, 0 };
+    char price[64], rows[640];
+    plan_text cost = { price, sizeof price, 0 }, changes = { rows, sizeof rows, 0 };
 
-    plan_text_add_price(&text, p->walk.price[i]);
+    plan_text_add_price(&cost, p->walk.price[i]);
+    plan_text_add(&changes, i ? "" : "the plan");
     if (i > 0)
-        plan_write_changes(scene, &p->walk.set[i - 1], &p->walk.set[i], rows, sizeof rows);
+        plan_text_add_changes(&changes, scene, &p->walk.set[i - 1], &p->walk.set[i], false);
     add(to, "%s%s%u\t%s\t%s", to->length ? "\n" : "", i == drawn ? "*" : "", (unsigned)i,
         price, rows);
 }
@@ -97,13 +98,13 @@ static void add_step(performance_sheet *to, const plan_sheet *p, const tp_scene 
 /* Adds what the scene's board does with the plan's picture. */
 static void add_board(performance_sheet *to, const plan_sheet *p, const board_frame *frame)
 {
-    char board[128];
-    plan_text text = { board, sizeof board, 0 };
+    const board_frame second = { frame->board, 1000000, frame->tick };
+    const double cost = (double)p->plan.price.cost;
 
-    if (!frame->board)
-        return;
-    plan_text_add_board(&text, frame, p->plan.price, p->real_time);
-    add(to, "\n\t%s", board);
+    if (frame->board)
+        add(to, "\n%s\t%.1f pictures/s\t%s", frame->board->name,
+            cost > 0 ? (double)board_frame_budget(&second) / cost : 0,
+            p->real_time ? "in time" : "too slow");
 }
 
 static void tell_plan(performance *f, const performance_plan *kept, const loaded_scene *s,
