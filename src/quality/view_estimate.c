@@ -4,6 +4,7 @@
  * modules, asked as a frame asks them.  Water behind the boat, drops and the tank is
  * counted as visible. */
 #include "quality/prices.h"
+#include "view/fan.h"
 #include "view/grid.h"
 #include "waves/coastal_tables.h"
 #include "world/light.h"
@@ -27,6 +28,27 @@ static uint32_t count_water_rays(const tp_start_view *at)
                         at->high * (2 * j + 1 - RAYS) / RAYS)
                     > 0;
     return seen;
+}
+
+/* Returns the part of the grid's vertices in view, 256ths: a basin's grid covers its water,
+ * every other grid the view.  Tests 16 x 16 points of the level. */
+static uint16_t count_vertices_in_view(const tp_scene *scene, const tp_start_view *at)
+{
+    const tp_rectangle *r = &at->water;
+    uint32_t seen = 0;
+
+    if (!tp_is_walled(scene))
+        return 256;
+    for (int32_t i = 0; i < 256; i++) {
+        const int64_t x = r->x0 + ((int64_t)r->x1 - r->x0) * (2 * (i & 15) + 1) / 32;
+        const int64_t z = r->z0 + ((int64_t)r->z1 - r->z0) * (2 * (i >> 4) + 1) / 32;
+        const tp_vec3 way = tp_start_view_clamped_vector(
+            at->eye, (tp_vec3){ tp_fx_saturate(x), 0, tp_fx_saturate(z) });
+        const tp_vec3 v = tp_rotate(&at->turn, way);
+        const int64_t wide = -at->wide * v.z >> 16, high = -at->high * v.z >> 16;
+        seen += v.z < 0 && v.x <= wide && v.x >= -wide && v.y <= high && v.y >= -high;
+    }
+    return (uint16_t)seen;
 }
 
 /* -- points of a lattice over the picture -------------------------------------------- */
@@ -121,7 +143,7 @@ static bool is_line_order_kept(const tp_scene *s, bool coastal, tp_dir3 lines,
 static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
                                     const tp_start_view *at)
 {
-    const tp_dir3 lines = at->turn.x;
+    const tp_dir3 lines = tp_fan_rows_direction(&at->turn, tp_is_walled(s));
 
     for (int corner = 0; corner < 4; corner++) {
         const tp_vec3 ray = tp_start_view_ray(at, corner & 1 ? at->wide : -at->wide,
@@ -256,9 +278,12 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     o.water_pixels = (uint32_t)(pixels * count_water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
     o.vertices = tp_fan_budget(scene) * 9 / 10;     /* seen ones */
+    o.in_view = count_vertices_in_view(scene, &at);
     record_surface_modules(&o, in->modules, &conditions);
     o.trait[TP_TRAIT_plain] = 1;
     record_drawn_modules(&o, in->modules, conditions);
+    o.slope_cells = o.modules & TP_MODULE_SLOPES
+                        ? (uint32_t)(scene->pool.cols * scene->pool.rows) : 0;
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
     classify_sea(&o, scene);
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
