@@ -136,6 +136,7 @@ typedef struct {
     uint8_t  fits[TP_VISIBILITIES];     /* true if the renderer can draw the view */
     uint32_t modules;           /* bits of tp_module.is of the enabled modules */
     uint8_t  quick;             /* true if the fast stages support all features */
+    uint8_t  lobe;              /* true if water in view may show the specular lobe */
 } tp_view_estimate;
 
 tp_view_estimate tp_view_estimate_make(const tp_plan_input *in);

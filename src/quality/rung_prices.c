@@ -3,9 +3,9 @@
 
 #define PART(name) ((uint64_t)1 << TP_PART_##name)
 
-/* Parts of a pixel of water and of a row of water. */
+/* Parts of the water's surface, by its pixels and rows. */
 #define X(name) | PART(name)
-#define SHADED (0 TP_PIXEL_PARTS(X))
+#define SHADED ((0 TP_PIXEL_PARTS(X)) & ~PART(glass))
 
 /* Parts that fast shading can draw for half the columns. */
 #define TEXTURES (PART(layers) | PART(linear) | PART(distortion))

@@ -50,19 +50,21 @@ tp_rung_set tp_rung_set_named(const tp_scene *scene, bool drawing_rows, uint32_t
 
 /* Parts of a frame's cost.  TP_SEEN_PARTS find the water: level is the pixel of level
  * water; edges are cells times the rows that each covers; wind, floor_points, pools and
- * rings are what these add to a vertex.  TP_PIXEL_PARTS are of a pixel of water, and
- * `spans` of a row of water. */
+ * rings are what these add to a vertex.  TP_PIXEL_PARTS are of a pixel of water;
+ * `spans` is of a row of water, `glass` of a pixel of a tank's water behind its walls;
+ * dome_light is light, glint, reflection and mirrored sky under a dome, which costs about
+ * as much at half rate. */
 #define TP_SEEN_PARTS(X) \
     X(visibility) X(level) X(cells) X(edges) X(vertices) X(waves) X(wind) \
     X(floor_points) X(pools) X(rings)
 #define TP_PIXEL_PARTS(X) \
     X(spans) X(plain) X(layers) X(linear) X(distortion) X(ripple) X(light) X(glint) \
-    X(reflection) X(mirrored_sky) X(haze) X(foam) X(objects) X(refraction) X(floor) \
-    X(dispersion) X(caustics) X(exposure)
+    X(reflection) X(mirrored_sky) X(dome_light) X(haze) X(foam) X(objects) \
+    X(refraction) X(floor) X(dispersion) X(caustics) X(exposure) X(glass)
 #define TP_COST_PARTS(X) \
     TP_SEEN_PARTS(X) TP_PIXEL_PARTS(X) \
     X(store) X(sky) X(sky_kind) X(caustic_map) X(solids) X(faces) X(mirror) X(spray) \
-    X(frame) X(rows) X(slopes) X(walls) X(wall_faces) X(glass) X(side_faces) X(land) \
+    X(frame) X(rows) X(slopes) X(walls) X(wall_faces) X(side_faces) X(land) \
     X(land_cells)
 
 enum {
@@ -71,7 +73,7 @@ enum {
 #undef X
     TP_PART_COUNT,
     TP_PARTS_SEEN = TP_PART_rings + 1,
-    TP_PARTS_OF_PIXELS = TP_PART_exposure + 1,  /* the parts before, less the seen ones */
+    TP_PARTS_OF_PIXELS = TP_PART_glass + 1,  /* the parts before, less the seen ones */
 };
 
 /* Shadings of water that have factors of their own. */

@@ -10,12 +10,15 @@
 #include "base/base.h"
 #include "quality/rung_prices.h"
 
-/* True if the rung has a measured price and the view can show it. */
+/* True if the rung has a measured price and the view can show it.  Fast light lights every
+ * second column, glints too: inside a specular lobe that shows as a comb. */
 static bool is_known(const tp_view_costs *view, int kind, uint8_t rung)
 {
     const tp_rung_effect *e = &tp_rung_effects[kind];
 
     if (kind == TP_KIND_VISIBILITY && !view->estimate.fits[rung])
+        return false;
+    if (kind == TP_KIND_light && rung && view->estimate.lobe)
         return false;
     if (e->needs_rung && e->needs_kind == TP_KIND_VISIBILITY
         && !view->estimate.fits[e->needs_rung])

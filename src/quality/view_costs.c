@@ -70,6 +70,8 @@ static uint64_t whole(int64_t q16)
     return q16 > 0 ? (uint64_t)q16 >> 16 : 0;
 }
 
+#define PRICED_WAVES 3          /* in the scene that the price of wind was measured in */
+
 /* Adds the points of a raised surface; only triangles and rows know pools and floors.
  * points < 2^20, prices < 2^28. */
 static void set_raised_points(const tp_view_estimate *o, const tp_seen_price *price,
@@ -83,7 +85,7 @@ static void set_raised_points(const tp_view_estimate *o, const tp_seen_price *pr
         seen[TP_PART_floor_points] =
             whole((o->floor > 1 ? price->map : price->floor) * points);
     else if (o->coastal)
-        seen[TP_PART_wind] = whole(price->coastal * points);
+        seen[TP_PART_wind] = whole(price->coastal * points) * o->waves / PRICED_WAVES;
     seen[TP_PART_pools] = whole((int64_t)price->pool * o->pools * points
         + (int64_t)prices->work[TP_WORK_walled] * fixed->of[TP_WORK_walled]);
     seen[TP_PART_rings] = whole((rings ? rings : (int64_t)works[TP_WORK_rings].least << 16)
@@ -119,6 +121,9 @@ static void set_seen_parts(const tp_view_costs *view, const tp_plan_conditions *
     set_raised_points(o, price, fixed, g->prices, seen);
 }
 
+/* True for a part that dome_light replaces under a dome. */
+#define LIT_BY_DOME(p) ((p) >= TP_PART_light && (p) <= TP_PART_mirrored_sky)
+
 /* Sets the parts of exact shading and of all else but finding the water. */
 static void set_parts(tp_view_costs *view, const tp_plan_conditions *g,
                       const tp_plan_input *in, const tp_fixed_cost *fixed)
@@ -129,7 +134,9 @@ static void set_parts(tp_view_costs *view, const tp_plan_conditions *g,
 
     for (int i = 0; i < TP_TRAIT_COUNT; i++) {
         const int64_t price = i == TP_TRAIT_plain ? 8 << 16 : prices->shaded[0][0].part[i];
-        sum[trait_part[i]] += o->trait[i] * price * view->water;
+        const int p = trait_part[i];
+        sum[o->trait[TP_TRAIT_dome] && LIT_BY_DOME(p) ? TP_PART_dome_light : p] +=
+            o->trait[i] * price * view->water;
     }
     for (int i = 0; i < TP_WORK_COUNT; i++)
         sum[works[i].part] += (prices->work[i] ? (int64_t)prices->work[i]

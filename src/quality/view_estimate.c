@@ -226,8 +226,8 @@ static int gloss_class(const tp_scene *s)
 }
 
 /* Classifies the sea by the sum of k A: a sum up to 1/4 is gentle; pools and rings are
- * gentle too. */
-static void classify_sea(tp_view_estimate *o, const tp_scene *s)
+ * gentle too.  Returns the sum, Q16. */
+static int64_t classify_sea(tp_view_estimate *o, const tp_scene *s)
 {
     int64_t slope = 0;
 
@@ -241,6 +241,49 @@ static void classify_sea(tp_view_estimate *o, const tp_scene *s)
     const int steep = slope > TP_FX_ONE / 4 ? most
                     : slope > 0 || o->stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
     o->sea = (uint8_t)(steep + gloss_class(s));
+    return slope;
+}
+
+/* True if a facet no steeper than `most`, Q16, mirrors the light to the eye along the
+ * ray. */
+static bool mirrors_light(tp_vec3 ray, tp_dir3 light, int64_t most)
+{
+    const int64_t square = (int64_t)ray.x * ray.x + (int64_t)ray.y * ray.y
+                         + (int64_t)ray.z * ray.z;
+    const int64_t length = tp_isqrt64((uint64_t)square) + 1;
+    const int64_t x = (light.x >> 14) - (int64_t)ray.x * TP_FX_ONE / length;
+    const int64_t y = (light.y >> 14) - (int64_t)ray.y * TP_FX_ONE / length;
+    const int64_t z = (light.z >> 14) - (int64_t)ray.z * TP_FX_ONE / length;
+    const int64_t level = most * y >> 16;
+
+    return y > 0 && x * x + z * z <= level * level;
+}
+
+/* True if water in view may show the specular lobe: at some ray a facet no steeper than
+ * the waves and the lobe together mirrors the light.  The lobe ends where it falls to
+ * 1/16: tan^2 = 2 ln 16 / exponent.  Ripples, pools and rings have slopes up to about 1/3.
+ * `slope`: that of the waves, Q16. */
+static bool is_lobe_in_view(const tp_view_estimate *o, const tp_scene *s,
+                            const tp_start_view *at, int64_t slope)
+{
+    const tp_dir3 light = tp_light_direction(tp_turn_of_degrees(s->light.heading),
+                                             tp_turn_of_degrees(s->light.elevation));
+    const bool rippled = o->stirred || o->trait[TP_TRAIT_ripple] || o->trait[TP_TRAIT_bump];
+    const int64_t lobe = tp_isqrt64(((uint64_t)TP_FX(5.545) << 32)
+                                    / ((uint64_t)s->water.shininess + 1));
+    const int64_t most = tp_clamp_abs(slope + lobe + (rippled ? TP_FX_ONE / 3 : 0),
+                                      4 * TP_FX_ONE);
+
+    if (!o->trait[TP_TRAIT_glint] || s->water.specular <= 0)
+        return false;
+    for (int32_t i = 0; i < RAYS * RAYS; i++) {
+        const int64_t x = at->wide * (2 * (i % RAYS) + 1 - RAYS) / RAYS;
+        const int64_t y = at->high * (2 * (i / RAYS) + 1 - RAYS) / RAYS;
+        if (tp_start_view_water_distance_ahead(at, x, y) > 0
+            && mirrors_light(tp_start_view_ray(at, x, y), light, most))
+            return true;
+    }
+    return false;
 }
 
 static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
@@ -285,7 +328,7 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     o.slope_cells = o.modules & TP_MODULE_SLOPES
                         ? (uint32_t)(scene->pool.cols * scene->pool.rows) : 0;
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
-    classify_sea(&o, scene);
+    o.lobe = is_lobe_in_view(&o, scene, &at, classify_sea(&o, scene));
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
     set_wave_flags(&o, scene);
     for (int i = 0; i < TP_WAVES; i++)

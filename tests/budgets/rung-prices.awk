@@ -19,8 +19,8 @@
 #    mean square.  Zero only if no view shows a difference.
 BEGIN {
     SHOWN = 0.92; SEAS = 12; sorted = "sort -t, -k1,1 -k2,2n -k3,3"
-    NEAR = 0.08; WEIGHT = 0.004; SHADED_WEIGHT = 0.03; MOST = 4; ROUNDS = 40
-    SEEN = 10; PIXELS = 28      # TP_PARTS_SEEN, TP_PARTS_OF_PIXELS of rung_sets.h
+    NEAR = 0.08; WEIGHT = 0.004; SHADED_WEIGHT = 0.03; MOST = 4; ROUNDS = 30
+    SEEN = 10; PIXELS = 30      # TP_PARTS_SEEN, TP_PARTS_OF_PIXELS of rung_sets.h
     CELLS = 2; EDGES = 3        # TP_PART_cells, TP_PART_edges
     # kinds that change nothing in some scenes: these have no errors of them
     split("quality.rate quality.light quality.geometry quality.waves quality.normals " \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sets of rungs: kinds and rows agree with the table of parameters; costs are sums of parts,
- * and errors are 0 only where measured;
- * walks get cheaper at each step, and their sets fit the scene. */
+ * and errors are 0 only where measured; walks get cheaper at each step, and their sets fit
+ * the scene. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -187,6 +187,34 @@ static void each_step_is_cheaper(void **state)
     printf("    %u steps of 40 scenes\n", (unsigned)steps);
 }
 
+/* Fast light lights every second column: a walk takes it only where no lobe shows.  Light
+ * ahead over waves has a lobe, light behind the camera over gentle water has none. */
+static void walks_leave_fast_light_out_of_a_lobe(void **state)
+{
+    const uint32_t open = 1u << TP_KIND_SHADING | 1u << TP_KIND_light;
+    uint32_t taken = 0;
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = swells_any();
+        const tp_rung_set exact = { .of = { 0 } };
+        s.camera.heading = s.light.heading + (n & 1 ? TP_FX(180) : 0);
+        s.camera.pitch = TP_FX(-12);
+        s.light.elevation = TP_FX(20);
+        s.water.specular = TP_FX(0.9);
+        for (int i = 0; i < TP_WAVES; i++)
+            s.wave[i].amplitude /= 8;
+        const tp_view_costs view = view_of(&s);
+        assert_int_equal(view.estimate.lobe, !(n & 1));
+        tp_set_walk_make(&walk, &view, exact, open);
+        for (uint32_t i = 0; i < walk.count; i++) {
+            assert_false(view.estimate.lobe && walk.set[i].of[TP_KIND_light]);
+            taken += walk.set[i].of[TP_KIND_light];
+        }
+    }
+    assert_true(taken > 0);
+}
+
 static void kinds_that_are_not_open_stay(void **state)
 {
     (void)state;
@@ -235,6 +263,7 @@ int main(void)
         cmocka_unit_test(errors_that_are_measured_are_never_predicted_as_zero),
         cmocka_unit_test(replaced_rungs_change_nothing),
         cmocka_unit_test(each_step_is_cheaper),
+        cmocka_unit_test(walks_leave_fast_light_out_of_a_lobe),
         cmocka_unit_test(kinds_that_are_not_open_stay),
         cmocka_unit_test(refined_sets_err_less_and_stay_within_the_cost),
     };
