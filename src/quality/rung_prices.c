@@ -38,8 +38,8 @@ const tp_rung_effect tp_rung_effects[TP_RUNG_KINDS] = {
     [TP_KIND_rows]        = { PART(visibility) | PART(level) | PART(cells) | PART(edges),
                               TP_SHARE_water, BY_ROWS },
     [TP_KIND_waves]       = { PART(waves), TP_SHARE_water, 0, 0 },
-    [TP_KIND_blending]    = { PART(store) | PART(exposure) | PART(plain), TP_SHARE_water,
-                              0, 0 },
+    [TP_KIND_blending]    = { PART(store) | PART(exposure) | PART(plain) | PART(sky)
+                              | PART(sky_kind), TP_SHARE_water, 0, 0 },
     [TP_KIND_geometry]    = { PART(waves), TP_SHARE_water, 0, 0 },
     [TP_KIND_normals]     = { PART(waves), TP_SHARE_water, 0, 0 },
     [TP_KIND_sine]        = { PART(waves), TP_SHARE_water, 0, 0 },

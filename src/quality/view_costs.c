@@ -267,7 +267,7 @@ tp_set_price tp_set_price_estimate(const tp_view_costs *view, const tp_rung_set 
             continue;
         const tp_rung_effect *e = &tp_rung_effects[k];
         const tp_rung_price *price = &tp_rung_prices[k][set->of[k]];
-        uint64_t parts = e->parts;
+        uint64_t parts = price->factor ? e->parts : 0;
         for (int p = 0; parts; p++, parts >>= 1)
             if (parts & 1)
                 cost[p] = cost[p] * price->factor >> 8;

@@ -316,7 +316,7 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     const tp_vec3 low = tp_start_view_ray(&at, 0, -at.high);
     const int64_t ahead = (int64_t)low.x * -at.turn.z.x + (int64_t)low.z * -at.turn.z.z;
     tp_view_estimate o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
-    int64_t waves = 0;
+    int64_t waves = 0, crests = 0;
 
     o.water_pixels = (uint32_t)(pixels * count_water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
@@ -331,11 +331,14 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     o.lobe = is_lobe_in_view(&o, scene, &at, classify_sea(&o, scene));
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
     set_wave_flags(&o, scene);
-    for (int i = 0; i < TP_WAVES; i++)
-        waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;
+    for (int i = 0; i < TP_WAVES; i++) {
+        const tp_wave *w = &scene->wave[i];
+        waves += w->amplitude > 0 ? w->amplitude : 0;
+        crests += w->amplitude > 0 ? tp_sharp_max_height(w->amplitude, w->exponent) : 0;
+    }
     o.near = tp_nearest_water_distance(tp_fx_saturate(at.eye.y - waves), &at.turn,
                                        scene->camera.fov);
     set_points_per_renderer(&o, &at, waves, width, height);
-    set_usable_renderers(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
+    set_usable_renderers(&o, scene, &at, crests, low.y >= 0 || ahead > 0);
     return o;
 }

@@ -15,17 +15,15 @@
 # 2. A factor for each rung: the share of its parts that stays, by least squares; 1 and 2 in
 #    turn, since each needs the other.  Rows in between (quality.lines) also cost something
 #    for each pixel of water.
+#    A rung that no sample of an error shows has factor 0: not measured, never chosen.
 # 3. An error for each rung and class of sea: the SHOWN part of all views have a smaller
-#    mean square.  Zero only if no view shows a difference.
+#    mean square.  Scenes without the effect say nothing; a class without other scenes has
+#    the error of all classes.  Zero only if no view shows a difference.
 BEGIN {
     SHOWN = 0.92; SEAS = 12; sorted = "sort -t, -k1,1 -k2,2n -k3,3"
-    NEAR = 0.08; WEIGHT = 0.004; SHADED_WEIGHT = 0.03; MOST = 4; ROUNDS = 30
+    NEAR = 0.08; WEIGHT = 0.004; SHADED_WEIGHT = 0.03; MOST = 4; ROUNDS = 24
     SEEN = 10; PIXELS = 30      # TP_PARTS_SEEN, TP_PARTS_OF_PIXELS of rung_sets.h
     CELLS = 2; EDGES = 3        # TP_PART_cells, TP_PART_edges
-    # kinds that change nothing in some scenes: these have no errors of them
-    split("quality.rate quality.light quality.geometry quality.waves quality.normals " \
-          "quality.sine", some, " ")
-    for (i in some) PARTIAL[some[i]]
 }
 
 # -- samples ----------------------------------------------------------------------------
@@ -71,7 +69,7 @@ to == "csv" && $1 == "error" {
     errors[at]
     if ($6 <= 0.002) next
     error_line[++error_lines] = at " " $5 " " ($7 > 0 ? $7 / $6 : 0) " " $2
-    if ($7 > 0 || !($3 in PARTIAL)) shows[at, $2]
+    if ($7 > 0) shows[at, $2]
 }
 
 # -- fits -------------------------------------------------------------------------------
@@ -222,7 +220,7 @@ function print_rows(    at, name, sea, of, i, f) {
     close("sort -t, -k1,1r -k2,2n -k3,3n")
     for (at in errors) {
         split(at, name, ";")
-        f = at in factor ? q8(factor[at]) : 256
+        f = !(at in factor) ? 256 : n[at, "all"] ? q8(factor[at]) : 0
         if (name[1] == "quality.mesh") f = mesh[name[2]]
         print name[1] "," name[2] ",factor," f | sorted
         print name[1] "," name[2] ",more," \
