@@ -3,7 +3,8 @@
 # Judges the prices of sets of rungs (rung-prices.sh) in views of shipped scenes drawn anew:
 # cameras, sizes, seas and light that nothing was fitted to.  Of each view the sets are those
 # of its walk.  Errors keep their aim, 95 of 100 within the budget.  Costs miss theirs, 95 of
-# 100 within 10 %: the test holds the share and the mean difference that are reached.
+# 100 within 10 %: of 272 sets drawn anew 233 are, 5.4 % off in the mean (67 of 68 exact
+# ones), and the test holds 80 of 100 and 7 %.
 #
 #   tests/budgets/rung-judge.sh             errors of 17 views, costs of 28 sets
 #   TP_SOAK=1 tests/budgets/rung-judge.sh   errors of 306 views, costs of 272 sets
@@ -57,7 +58,7 @@ chosen='count-64 calm-bay pond storm tank shallows minimal'
 if [ -n "$TP_SOAK" ]; then chosen=$(scenes) views=4; fi
 check "what counts the pictures builds" build charts-tools
 for scene in $chosen; do
-    tests/budgets/rung-prices.sh --scene "$scene" sets "$views" $((seed + 2000)) || exit 1
+    tests/budgets/rung-prices.sh --scene "$scene" sets "$views" $((seed + 9000)) || exit 1
 done >"$scratch/sets"
 near()          # SHARE PERCENT: sets within 10 %, mean difference of cost and count
 {
@@ -67,6 +68,6 @@ near()          # SHARE PERCENT: sets within 10 %, mean difference of cost and c
         END { exit !(all >= 28 && near >= least * all && 100 * sum <= most * all) }' \
         "$scratch/sets"
 }
-check "costs of SHARE of the sets are within 10 %, the mean within MEAN %" near SHARE MEAN
+check "costs of 80 of 100 sets are within 10 %, the mean within 7 %" near 0.80 7
 sed 's/^/    /' "$scratch/output"
 finish
