@@ -197,7 +197,7 @@ static bool has_half_rate(const tp_view_costs *view)
 }
 
 /* True if the view has nothing that the kind changes, or another rung of the set replaces
- * it: colours of half rate replace fast light, and that the layers of half rate; vertices
+ * it: colours of half rate replace fast light, and both the filter of layers; vertices
  * with fast normals or sines have 32 bits anyway, and over a floor all are exact. */
 static bool is_replaced(const tp_view_costs *view, const tp_rung_set *set, int kind)
 {
@@ -208,6 +208,9 @@ static bool is_replaced(const tp_view_costs *view, const tp_rung_set *set, int k
         return view->clear || (of[TP_KIND_RATE] == 1 && of[TP_KIND_light] && has_half_rate(view));
     case TP_KIND_light:
         return !has_half_rate(view) || of[TP_KIND_RATE] == 2;
+    case TP_KIND_layers:        /* half the columns have stages of their own */
+        return tp_set_is_fast(view, set) && !view->clear
+               && (of[TP_KIND_RATE] == 2 || (of[TP_KIND_light] && has_half_rate(view)));
     case TP_KIND_waves:
         return view->estimate.floor || of[TP_KIND_normals] || of[TP_KIND_sine];
     case TP_KIND_normals:

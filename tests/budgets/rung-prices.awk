@@ -21,7 +21,7 @@
 #    the error of all classes.  Zero only if no view shows a difference.
 BEGIN {
     SHOWN = 0.92; SEAS = 12; sorted = "sort -t, -k1,1 -k2,2n -k3,3"
-    NEAR = 0.08; WEIGHT = 0.004; SHADED_WEIGHT = 0.03; MOST = 4; ROUNDS = 24
+    NEAR = 0.08; WEIGHT = 0.004; SHADED_WEIGHT = 0.03; MOST = 4; ROUNDS = 20
     SEEN = 10; PIXELS = 30      # TP_PARTS_SEEN, TP_PARTS_OF_PIXELS of rung_sets.h
     CELLS = 2; EDGES = 3        # TP_PART_cells, TP_PART_edges
 }
