@@ -14,7 +14,4 @@ typedef struct {
 tp_plan_conditions tp_plan_conditions_make(const tp_prices *prices,
                                            const tp_plan_input *in);
 
-/* Returns the cost of an evaluated point by a water renderer, Q16 instructions. */
-int64_t tp_plan_point_price(const tp_plan_conditions *g, const tp_seen_price *seen);
-
 #endif

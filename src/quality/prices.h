@@ -124,9 +124,13 @@ typedef struct {
     uint8_t  floor;             /* 0: none, 1: a plane, 2: a map */
     uint8_t  sharp, still;      /* a wave is sharpened; level water */
     uint32_t points[TP_VISIBILITIES];   /* points evaluated by each renderer */
+    uint16_t in_view;           /* part of the grid's vertices in view, 256ths: a basin's
+                                 * grid is placed whole */
+    uint32_t slope_cells;       /* pool cells whose slopes are set in each frame */
     uint8_t  fits[TP_VISIBILITIES];     /* true if the renderer can draw the view */
     uint32_t modules;           /* bits of tp_module.is of the enabled modules */
     uint8_t  quick;             /* true if the fast stages support all features */
+    uint8_t  lobe;              /* true if water in view may show the specular lobe */
 } tp_view_estimate;
 
 tp_view_estimate tp_view_estimate_make(const tp_plan_input *in);

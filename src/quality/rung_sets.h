@@ -2,13 +2,15 @@
 /* Sets of rungs: one rung of every kind, with the cost and the error of the picture that
  * they draw together, and the search for the sets that are worth drawing.
  *
- * A picture's cost is a sum of parts: sky, vertices, the reflection of the water's pixels
- * and so on.  Each part is estimated for the exact rungs by the tables of quality/prices.h,
- * which are measured in one scene, and corrected by a factor fitted to pictures of all
- * shipped scenes, one for exact and one for fast shading.  A rung of an effect multiplies
- * the parts that it changes by a factor of its own.  Its error is a measured mean square per
- * pixel that shows the effect; errors of different kinds are independent, and their mean
- * squares add. */
+ * A picture's cost is a sum of parts: sky, cells of water, the reflection of the water's
+ * pixels and so on.  Each part is an amount of work, known from the view, times a price of
+ * the exact rungs (quality/prices.h), times a factor fitted to counted pictures of all
+ * shipped scenes.  Parts of finding the water have factors for each water renderer; parts
+ * of a pixel of water have factors for exact shading, for fast shading and for fast
+ * shading of clear water.  A rung multiplies the parts that it changes by a factor of its
+ * own, and may add a price for each pixel of water.  A rung's error is a measured mean
+ * square per pixel that shows the effect; errors of different kinds are independent, and
+ * their mean squares add. */
 #ifndef TP_QUALITY_RUNG_SETS_H
 #define TP_QUALITY_RUNG_SETS_H
 #include "quality/prices.h"
@@ -49,20 +51,36 @@ tp_rung_set tp_rung_set_named(const tp_scene *scene, bool drawing_rows, uint32_t
 
 /* -- cost and error ------------------------------------------------------------------ */
 
-/* Parts of a frame's cost.  No rung changes the last three, for which the tables have no
- * prices: tables of a frame, storing of pixels, spans of water. */
+/* Parts of a frame's cost.  TP_SEEN_PARTS find the water: level is the pixel of level
+ * water; edges are cells times the rows that each covers; wind, floor_points, pools and
+ * rings are what these add to a vertex.  TP_PIXEL_PARTS are of a pixel of water;
+ * `spans` is of a row of water, `glass` of a pixel of a tank's water behind its walls;
+ * dome_light is light, glint, reflection and mirrored sky under a dome, which costs about
+ * as much at half rate. */
+#define TP_SEEN_PARTS(X) \
+    X(visibility) X(level) X(cells) X(edges) X(vertices) X(waves) X(wind) \
+    X(floor_points) X(pools) X(rings)
+#define TP_PIXEL_PARTS(X) \
+    X(spans) X(plain) X(layers) X(linear) X(distortion) X(ripple) X(light) X(glint) \
+    X(reflection) X(mirrored_sky) X(dome_light) X(haze) X(foam) X(objects) \
+    X(refraction) X(floor) X(dispersion) X(caustics) X(exposure) X(glass)
 #define TP_COST_PARTS(X) \
-    X(frame) X(sky) X(visibility) X(vertices) X(plain) X(layers) X(distortion) X(ripple) \
-    X(light) X(glint) X(reflection) X(haze) X(foam) X(objects) X(refraction) \
-    X(dispersion) X(caustics) X(exposure) X(solids) X(faces) X(mirror) X(walls) X(land) \
-    X(spray) X(tables) X(store) X(spans)
+    TP_SEEN_PARTS(X) TP_PIXEL_PARTS(X) \
+    X(store) X(sky) X(sky_kind) X(caustic_map) X(solids) X(faces) X(mirror) X(spray) \
+    X(frame) X(rows) X(slopes) X(walls) X(wall_faces) X(side_faces) X(land) \
+    X(land_cells)
 
 enum {
 #define X(name) TP_PART_##name,
     TP_COST_PARTS(X)
 #undef X
-    TP_PART_COUNT
+    TP_PART_COUNT,
+    TP_PARTS_SEEN = TP_PART_rings + 1,
+    TP_PARTS_OF_PIXELS = TP_PART_glass + 1,  /* the parts before, less the seen ones */
 };
+
+/* Shadings of water that have factors of their own. */
+enum { TP_SHADED_EXACT, TP_SHADED_FAST, TP_SHADED_FAST_CLEAR, TP_SHADED_COUNT };
 
 /* Shares of the picture, Q16, whose pixels show an effect. */
 enum { TP_SHARE_all, TP_SHARE_sky, TP_SHARE_water, TP_SHARE_mirrored, TP_SHARE_solid,
@@ -72,7 +90,7 @@ enum { TP_SHARE_all, TP_SHARE_sky, TP_SHARE_water, TP_SHARE_mirrored, TP_SHARE_s
  * a product of 64 bits is a call. */
 typedef enum { TP_PROCESSOR_M4, TP_PROCESSOR_M0PLUS } tp_processor;
 
-/* A view with its costs: those of the exact effects, by each water renderer.  Parts are
+/* A view with the costs of the exact effects, by each water renderer.  Parts are
  * those of a Cortex-M4; a set is priced for `processor`, which is a Cortex-M4 unless the
  * caller sets another one.  The plan never does: all machines draw the same bits. */
 typedef struct tp_view_costs {
@@ -82,7 +100,8 @@ typedef struct tp_view_costs {
     uint32_t water, other;      /* pixels of water that no object hides, and all others */
     bool     fast, clear;       /* fast stages can draw all water; the water is clear: fast
                                  * stages then need fast refraction */
-    uint64_t part[TP_VISIBILITIES][TP_PART_COUNT];      /* instructions */
+    uint64_t seen[TP_VISIBILITIES][TP_PARTS_SEEN];      /* instructions, before factors */
+    uint64_t part[TP_PART_COUNT];       /* those from TP_PARTS_SEEN on */
     tp_fx    share[TP_SHARE_COUNT];
 } tp_view_costs;
 
@@ -96,6 +115,19 @@ static inline bool tp_set_is_fast(const tp_view_costs *view, const tp_rung_set *
 {
     return set->of[TP_KIND_SHADING] && view->fast
         && (!view->clear || set->of[TP_KIND_refraction]);
+}
+
+/* Returns the water renderer that draws a set, and the shading that its factors are of. */
+static inline int tp_set_renderer(const tp_view_costs *view, const tp_rung_set *set)
+{
+    const int v = set->of[TP_KIND_VISIBILITY];
+    return view->estimate.fits[v] ? v : 0;
+}
+
+static inline int tp_set_shaded(const tp_view_costs *view, const tp_rung_set *set)
+{
+    return !tp_set_is_fast(view, set) ? TP_SHADED_EXACT
+         : view->clear ? TP_SHADED_FAST_CLEAR : TP_SHADED_FAST;
 }
 
 void tp_view_costs_make(tp_view_costs *view, const tp_prices *prices,

@@ -10,12 +10,13 @@
 #include "base/base.h"
 #include "quality/rung_prices.h"
 
-/* True if the rung has a measured price and the view can show it. */
-static bool is_known(const tp_view_costs *view, int kind, uint8_t rung)
+bool tp_rung_is_known(const tp_view_costs *view, int kind, uint8_t rung)
 {
     const tp_rung_effect *e = &tp_rung_effects[kind];
 
     if (kind == TP_KIND_VISIBILITY && !view->estimate.fits[rung])
+        return false;
+    if (kind == TP_KIND_light && rung && view->estimate.lobe)
         return false;
     if (e->needs_rung && e->needs_kind == TP_KIND_VISIBILITY
         && !view->estimate.fits[e->needs_rung])
@@ -56,7 +57,7 @@ static bool take_cheaper(const tp_view_costs *view, tp_rung_set *set, uint32_t o
     for (int k = 0; k < TP_RUNG_KINDS; k++) {
         const uint8_t count = (uint8_t)tp_rung_kind_count(k);
         for (uint8_t r = 0; open >> k & 1 && r < count; r++) {
-            if (r == set->of[k] || !is_known(view, k, r))
+            if (r == set->of[k] || !tp_rung_is_known(view, k, r))
                 continue;
             const tp_rung_set to = changed(view, *set, k, r, open);
             const tp_set_price price = tp_set_price_estimate(view, &to);
@@ -99,7 +100,7 @@ static bool take_saving(const tp_view_costs *view, tp_rung_set *set, uint32_t op
         for (uint8_t r = 0; open >> k & 1 && r < tp_rung_kind_count(k); r++) {
             const tp_rung_set to = changed(view, *set, k, r, open);
             const tp_set_price price = tp_set_price_estimate(view, &to);
-            if (r != set->of[k] && is_known(view, k, r) && price.square <= most
+            if (r != set->of[k] && tp_rung_is_known(view, k, r) && price.square <= most
                 && price.cost < least) {
                 best = to;
                 least = price.cost;
@@ -127,7 +128,7 @@ static bool exchange(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
 
     for (int k = 0; k < TP_RUNG_KINDS; k++)
         for (uint8_t r = 0; open >> k & 1 && r < set->of[k]; r++) {
-            if (!is_known(view, k, r))
+            if (!tp_rung_is_known(view, k, r))
                 continue;
             tp_rung_set to = changed(view, *set, k, r, open);
             save_all(view, &to, open, most);
@@ -191,7 +192,7 @@ void tp_set_refine(const tp_view_costs *view, tp_rung_set *set, uint32_t open,
             for (uint8_t r = 0; open >> k & 1 && r < set->of[k]; r++) {
                 const tp_rung_set to = changed(view, *set, k, r, open);
                 const tp_set_price price = tp_set_price_estimate(view, &to);
-                if (is_known(view, k, r) && price.cost <= most && price.square < least) {
+                if (tp_rung_is_known(view, k, r) && price.cost <= most && price.square < least) {
                     best = to;
                     least = price.square;
                 }

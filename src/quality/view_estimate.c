@@ -4,6 +4,7 @@
  * modules, asked as a frame asks them.  Water behind the boat, drops and the tank is
  * counted as visible. */
 #include "quality/prices.h"
+#include "view/fan.h"
 #include "view/grid.h"
 #include "waves/coastal_tables.h"
 #include "world/light.h"
@@ -27,6 +28,27 @@ static uint32_t count_water_rays(const tp_start_view *at)
                         at->high * (2 * j + 1 - RAYS) / RAYS)
                     > 0;
     return seen;
+}
+
+/* Returns the part of the grid's vertices in view, 256ths: a basin's grid covers its water,
+ * every other grid the view.  Tests 16 x 16 points of the level. */
+static uint16_t count_vertices_in_view(const tp_scene *scene, const tp_start_view *at)
+{
+    const tp_rectangle *r = &at->water;
+    uint32_t seen = 0;
+
+    if (!tp_is_walled(scene))
+        return 256;
+    for (int32_t i = 0; i < 256; i++) {
+        const int64_t x = r->x0 + ((int64_t)r->x1 - r->x0) * (2 * (i & 15) + 1) / 32;
+        const int64_t z = r->z0 + ((int64_t)r->z1 - r->z0) * (2 * (i >> 4) + 1) / 32;
+        const tp_vec3 way = tp_start_view_clamped_vector(
+            at->eye, (tp_vec3){ tp_fx_saturate(x), 0, tp_fx_saturate(z) });
+        const tp_vec3 v = tp_rotate(&at->turn, way);
+        const int64_t wide = -at->wide * v.z >> 16, high = -at->high * v.z >> 16;
+        seen += v.z < 0 && v.x <= wide && v.x >= -wide && v.y <= high && v.y >= -high;
+    }
+    return (uint16_t)seen;
 }
 
 /* -- points of a lattice over the picture -------------------------------------------- */
@@ -121,7 +143,7 @@ static bool is_line_order_kept(const tp_scene *s, bool coastal, tp_dir3 lines,
 static bool is_rows_renderer_usable(const tp_scene *s, bool coastal,
                                     const tp_start_view *at)
 {
-    const tp_dir3 lines = at->turn.x;
+    const tp_dir3 lines = tp_fan_rows_direction(&at->turn, tp_is_walled(s));
 
     for (int corner = 0; corner < 4; corner++) {
         const tp_vec3 ray = tp_start_view_ray(at, corner & 1 ? at->wide : -at->wide,
@@ -204,8 +226,8 @@ static int gloss_class(const tp_scene *s)
 }
 
 /* Classifies the sea by the sum of k A: a sum up to 1/4 is gentle; pools and rings are
- * gentle too. */
-static void classify_sea(tp_view_estimate *o, const tp_scene *s)
+ * gentle too.  Returns the sum, Q16. */
+static int64_t classify_sea(tp_view_estimate *o, const tp_scene *s)
 {
     int64_t slope = 0;
 
@@ -219,6 +241,49 @@ static void classify_sea(tp_view_estimate *o, const tp_scene *s)
     const int steep = slope > TP_FX_ONE / 4 ? most
                     : slope > 0 || o->stirred ? TP_SEA_GENTLE : TP_SEA_LEVEL;
     o->sea = (uint8_t)(steep + gloss_class(s));
+    return slope;
+}
+
+/* True if a facet no steeper than `most`, Q16, mirrors the light to the eye along the
+ * ray. */
+static bool mirrors_light(tp_vec3 ray, tp_dir3 light, int64_t most)
+{
+    const int64_t square = (int64_t)ray.x * ray.x + (int64_t)ray.y * ray.y
+                         + (int64_t)ray.z * ray.z;
+    const int64_t length = tp_isqrt64((uint64_t)square) + 1;
+    const int64_t x = (light.x >> 14) - (int64_t)ray.x * TP_FX_ONE / length;
+    const int64_t y = (light.y >> 14) - (int64_t)ray.y * TP_FX_ONE / length;
+    const int64_t z = (light.z >> 14) - (int64_t)ray.z * TP_FX_ONE / length;
+    const int64_t level = most * y >> 16;
+
+    return y > 0 && x * x + z * z <= level * level;
+}
+
+/* True if water in view may show the specular lobe: at some ray a facet no steeper than
+ * the waves and the lobe together mirrors the light.  The lobe ends where it falls to
+ * 1/16: tan^2 = 2 ln 16 / exponent.  Ripples, pools and rings have slopes up to about 1/3.
+ * `slope`: that of the waves, Q16. */
+static bool is_lobe_in_view(const tp_view_estimate *o, const tp_scene *s,
+                            const tp_start_view *at, int64_t slope)
+{
+    const tp_dir3 light = tp_light_direction(tp_turn_of_degrees(s->light.heading),
+                                             tp_turn_of_degrees(s->light.elevation));
+    const bool rippled = o->stirred || o->trait[TP_TRAIT_ripple] || o->trait[TP_TRAIT_bump];
+    const int64_t lobe = tp_isqrt64(((uint64_t)TP_FX(5.545) << 32)
+                                    / ((uint64_t)s->water.shininess + 1));
+    const int64_t most = tp_clamp_abs(slope + lobe + (rippled ? TP_FX_ONE / 3 : 0),
+                                      4 * TP_FX_ONE);
+
+    if (!o->trait[TP_TRAIT_glint] || s->water.specular <= 0)
+        return false;
+    for (int32_t i = 0; i < RAYS * RAYS; i++) {
+        const int64_t x = at->wide * (2 * (i % RAYS) + 1 - RAYS) / RAYS;
+        const int64_t y = at->high * (2 * (i / RAYS) + 1 - RAYS) / RAYS;
+        if (tp_start_view_water_distance_ahead(at, x, y) > 0
+            && mirrors_light(tp_start_view_ray(at, x, y), light, most))
+            return true;
+    }
+    return false;
 }
 
 static void set_wave_flags(tp_view_estimate *o, const tp_scene *s)
@@ -251,23 +316,29 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     const tp_vec3 low = tp_start_view_ray(&at, 0, -at.high);
     const int64_t ahead = (int64_t)low.x * -at.turn.z.x + (int64_t)low.z * -at.turn.z.z;
     tp_view_estimate o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
-    int64_t waves = 0;
+    int64_t waves = 0, crests = 0;
 
     o.water_pixels = (uint32_t)(pixels * count_water_rays(&at) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
     o.vertices = tp_fan_budget(scene) * 9 / 10;     /* seen ones */
+    o.in_view = count_vertices_in_view(scene, &at);
     record_surface_modules(&o, in->modules, &conditions);
     o.trait[TP_TRAIT_plain] = 1;
     record_drawn_modules(&o, in->modules, conditions);
+    o.slope_cells = o.modules & TP_MODULE_SLOPES
+                        ? (uint32_t)(scene->pool.cols * scene->pool.rows) : 0;
     o.quick = (o.modules & TP_MODULE_FAST) != 0;
-    classify_sea(&o, scene);
+    o.lobe = is_lobe_in_view(&o, scene, &at, classify_sea(&o, scene));
     o.floor = (uint8_t)(tp_has_floor(scene) + (tp_has_floor(scene) && assets->floor));
     set_wave_flags(&o, scene);
-    for (int i = 0; i < TP_WAVES; i++)
-        waves += scene->wave[i].amplitude > 0 ? scene->wave[i].amplitude : 0;
+    for (int i = 0; i < TP_WAVES; i++) {
+        const tp_wave *w = &scene->wave[i];
+        waves += w->amplitude > 0 ? w->amplitude : 0;
+        crests += w->amplitude > 0 ? tp_sharp_max_height(w->amplitude, w->exponent) : 0;
+    }
     o.near = tp_nearest_water_distance(tp_fx_saturate(at.eye.y - waves), &at.turn,
                                        scene->camera.fov);
     set_points_per_renderer(&o, &at, waves, width, height);
-    set_usable_renderers(&o, scene, &at, waves, low.y >= 0 || ahead > 0);
+    set_usable_renderers(&o, scene, &at, crests, low.y >= 0 || ahead > 0);
     return o;
 }

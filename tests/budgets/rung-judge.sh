@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Judges the prices of sets of rungs (rung-prices.sh) in views of shipped scenes drawn anew:
 # cameras, sizes, seas and light that nothing was fitted to.  Of each view the sets are those
-# of its walk.  Errors keep their aim, 95 of 100 within the budget; costs miss theirs, 95 of
-# 100 within 10 %: the test holds the mean difference that is reached.
+# of its walk.  Errors keep their aim, 95 of 100 within the budget.  Costs miss theirs, 95 of
+# 100 within 10 %: of 272 sets drawn anew 233 are, 5.4 % off in the mean (67 of 68 exact
+# ones), and the test holds 80 of 100 and 7 %.
 #
-#   tests/budgets/rung-judge.sh             errors of 17 views, costs of 20 sets
-#   TP_SOAK=1 tests/budgets/rung-judge.sh   errors of 306 views, costs of 306 sets
+#   tests/budgets/rung-judge.sh             errors of 17 views, costs of 28 sets
+#   TP_SOAK=1 tests/budgets/rung-judge.sh   errors of 306 views, costs of 272 sets
+#   TP_SEED=n                               other views
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
 
@@ -19,8 +21,9 @@ check "the program that draws the views builds" alone build -s $samples
 # of each view and budget of 2, 4 and 8 levels: the last step within the budget, by the plan
 walks()
 {
-    for ini in assets/scenes/*.ini; do basename "$ini" .ini; done |
-        xargs -P 2 -I{} $samples "assets/scenes/{}.ini" $((seed + 1000)) "$views" walk |
+    scenes | xargs -P 2 -I{} sh -c "$samples assets/scenes/{}.ini $((seed + 1000)) $views \
+        walk >'$scratch/walk-{}'" || return 1
+    cat "$scratch"/walk-* |
         awk '$1 == "walk" {
                 if ($2 == 0) flush()
                 for (b = 2; b <= 8; b *= 2)
@@ -32,6 +35,10 @@ walks()
                 split("", step)
             }
             END { flush() }'
+}
+scenes()
+{
+    for ini in assets/scenes/*.ini; do basename "$ini" .ini; done
 }
 bounds()        # SHARE: this share of the pictures keeps the budget
 {
@@ -47,23 +54,20 @@ sed 's/^/    /' "$scratch/output"
 for tool in arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm; do
     lacks "${tool%:*}" "${tool#*:}" "costs of sets on a Cortex-M4" && { finish; exit; }
 done
-scenes='count-64 calm-bay pond storm tank'
-[ -z "$TP_SOAK" ] ||
-    scenes=$(for ini in assets/scenes/*.ini; do basename "$ini" .ini; done)
-[ -z "$TP_SOAK" ] || views=4
+chosen='count-64 calm-bay pond storm tank shallows minimal'
+if [ -n "$TP_SOAK" ]; then chosen=$(scenes) views=4; fi
 check "what counts the pictures builds" build charts-tools
-for scene in $scenes; do
-    tests/budgets/rung-prices.sh --scene "$scene" sets "$views" $((seed + 2000)) || exit 1
+for scene in $chosen; do
+    tests/budgets/rung-prices.sh --scene "$scene" sets "$views" $((seed + 9000)) || exit 1
 done >"$scratch/sets"
-near()          # PERCENT: mean difference of predicted and counted costs
+near()          # SHARE PERCENT: sets within 10 %, mean difference of cost and count
 {
-    awk -v most="$1" '
-        { off = $NF / $6 - 1; all++; if (off < 0) off = -off; near += off <= 0.1
-          sum += off; if (off > 0.1) far = far sprintf(" %s:%.0f%%", $2, 100 * off) }
-        END { printf "    %d of %d sets within 10 %%, mean %.1f %%; others:%s\n", near, all,
-                  100 * sum / all, far
-              exit !(all >= 20 && 100 * sum <= most * all) }' "$scratch/sets"
+    awk -f tests/budgets/rung-prices.awk -v to=off "$scratch/sets" | sed 's/^sets /    /'
+    awk -v least="$1" -v most="$2" '
+        { off = $NF / $6 - 1; all++; if (off < 0) off = -off; near += off <= 0.1; sum += off }
+        END { exit !(all >= 28 && near >= least * all && 100 * sum <= most * all) }' \
+        "$scratch/sets"
 }
-check "costs of sets differ by less than 20 % from the count, in the mean" near 20
+check "costs of 80 of 100 sets are within 10 %, the mean within 7 %" near 0.80 7
 sed 's/^/    /' "$scratch/output"
 finish

@@ -6,14 +6,19 @@
  *         draws each rung of each kind, and prints the mean square of its difference from
  *         the exact picture, or from the rung that it needs:
  *             error KIND RUNG SEA SHARE SQUARE
+ *         SQUARE is 0 only if both pictures are alike
  *     rung_samples SCENE SEED VIEWS bases|rungs|mixed|sets
  *         prints pictures to count on the board, and what the plan says of them:
  *             picture KIND RUNG WIDTHxHEIGHT TICK NAME=VALUE...
- *             parts FAST -[,KIND;RUNG;MASK]... COST... ; PREDICTED
+ *             parts SHADED RENDERER WATER -[,KIND;RUNG;MASK]... COST... ; PREDICTED
  *             costs FAST COST... ; PREDICTED
- *         parts: the exact rungs' costs; costs: those of the set, predicted
+ *         parts: the exact rungs' costs; WATER: pixels; MASK: bits of the parts that the
+ *         rung changes; costs: those of the set, predicted
  *         bases: the exact picture, and that of fast shading; rungs: these, and each rung
  *         alone; mixed: sets at random; sets: some steps of the walk
+ *     rung_samples SCENE 0 0 again <PICTURES
+ *         reads lines "picture" as printed above, and prints them with the parts and the
+ *         prediction that the plan has now: pictures counted before need no new count
  *     rung_samples SCENE SEED 0 faces
  *         prints the plan's cost of the boat in the scene's own view
  *     rung_samples SCENE SEED VIEWS walk
@@ -34,7 +39,7 @@
 #include "quality/rung_prices.h"
 #include "world/text.h"
 
-enum { MOST = 480 * 320, TICK = 60, WORDS = 24, BYTES = 64 };
+enum { MOST = 480 * 320, TICK = 60, WORDS = 24, BYTES = 64, LINE = 4096 };
 
 static uint64_t chance;
 
@@ -189,8 +194,9 @@ static void print_errors(const loaded_scene *s, const char *path, const sample_v
             }
             const double more = square_of(exact, after, pixels)
                               - square_of(exact, before, pixels);
-            printf("error %s %d %d %.6f %.4f\n", tp_rung_kind_row(k), r, c.estimate.sea,
-                   of(c.share[tp_rung_effects[k].share]), more);
+            const bool alike = memcmp(before, after, pixels * sizeof *after) == 0;
+            printf("error %s %d %d %.6f %.8f\n", tp_rung_kind_row(k), r, c.estimate.sea,
+                   of(c.share[tp_rung_effects[k].share]), alike ? 0 : fmax(more, 1e-6));
         }
 }
 
@@ -202,8 +208,8 @@ static void print_names(const tp_view_costs *c, const tp_rung_set *set)
     printf("-");
     for (int k = 0; k < TP_RUNG_KINDS; k++)
         if (set->of[k] && tp_rung_effects[k].parts && tp_rung_takes_effect(c, set, k))
-            printf(",%s;%d;%u", tp_rung_kind_row(k), set->of[k],
-                   (unsigned)tp_rung_effects[k].parts);
+            printf(",%s;%d;%" PRIu64, tp_rung_kind_row(k), set->of[k],
+                   tp_rung_effects[k].parts);
 }
 
 /* Prints the predicted costs of the set's parts. */
@@ -239,11 +245,11 @@ static void print_picture(const loaded_scene *s, const sample_view *v, int kind,
         if (k != TP_KIND_mesh)
             printf(" %s=%s", name, text);
     }
-    printf("\nparts %d ", tp_set_is_fast(&c, set));
+    const int drawn = tp_set_renderer(&c, set);
+    printf("\nparts %d %d %u ", tp_set_shaded(&c, set), drawn, (unsigned)c.water);
     print_names(&c, set);
-    const uint8_t visibility = set->of[TP_KIND_VISIBILITY];
     for (int p = 0; p < TP_PART_COUNT; p++)
-        printf(" %" PRIu64, c.part[c.estimate.fits[visibility] ? visibility : 0][p]);
+        printf(" %" PRIu64, p < TP_PARTS_SEEN ? c.seen[drawn][p] : c.part[p]);
     const tp_set_price price = tp_set_price_estimate(&c, set);
     printf(" ; %" PRIu64 "\n", price.cost);
     print_costs(&c, set);
@@ -339,13 +345,94 @@ static void print_walk(const loaded_scene *s, const sample_view *v)
     }
 }
 
+/* -- pictures counted before --------------------------------------------------------- */
+
+/* Returns the kind that a setting "NAME=VALUE" names, or -1. */
+static int kind_of(const char *setting)
+{
+    const size_t bytes = strcspn(setting, "=");
+
+    for (int k = 0; k < TP_RUNG_KINDS; k++)
+        if (strlen(tp_rung_kind_row(k)) == bytes
+            && strncmp(tp_rung_kind_row(k), setting, bytes) == 0)
+            return k;
+    return -1;
+}
+
+/* Sets the rung that a setting names; `scene` is the scene without the set. */
+static void read_rung(const tp_scene *scene, int kind, const char *value, tp_rung_set *set)
+{
+    const char *name = tp_rung_kind_row(kind);
+    char text[TP_NAME_BYTES + 1];
+
+    for (uint8_t r = 0; r < tp_rung_kind_count(kind); r++) {
+        tp_rung_set one = { .of = { 0 } };
+        tp_scene named = *scene;
+        one.of[kind] = r;
+        tp_rung_set_apply(&named, &one);
+        tp_param_text(&named, tp_param_find(name, strlen(name)), text, sizeof text);
+        if (strcmp(text, value) == 0) {
+            set->of[kind] = r;
+            return;
+        }
+    }
+    fprintf(stderr, "rung_samples: %s has no rung %s\n", name, value);
+    exit(EXIT_INPUT);
+}
+
+/* Reads a line of print_picture(): the view, and the settings of the set in `rungs`. */
+static int read_picture(char *line, sample_view *v, char **rungs)
+{
+    int count = 0, word = 0;
+    unsigned width, height;
+
+    *v = (sample_view){ .words = 0 };
+    for (char *w = strtok(line, " \n"); w; w = strtok(NULL, " \n"), word++) {
+        if (word == 3 && sscanf(w, "%ux%u", &width, &height) == 2) {
+            v->width = width;
+            v->height = height;
+        }
+        if (word < 5)
+            continue;
+        if (kind_of(w) >= 0 && count < TP_RUNG_KINDS)
+            rungs[count++] = w;
+        else if (v->words < WORDS)
+            snprintf(v->word[v->words++], BYTES, "%s", w);
+    }
+    return count;
+}
+
+static void print_again(const char *path)
+{
+    static char line[LINE], copy[LINE];
+
+    while (fgets(line, sizeof line, stdin)) {
+        char *rungs[TP_RUNG_KINDS], kind[BYTES];
+        int rung;
+        sample_view v;
+        loaded_scene s;
+        tp_rung_set set = { .of = { 0 } };
+        strcpy(copy, line);
+        const int count = read_picture(copy, &v, rungs);
+        if (sscanf(line, "picture %63s %d", kind, &rung) != 2
+            || !open_view(&s, path, &v, NULL))
+            exit(EXIT_INPUT);
+        for (int i = 0; i < count; i++) {
+            char *value = strchr(rungs[i], '=') + 1;
+            read_rung(&s.file.scene, kind_of(rungs[i]), value, &set);
+        }
+        print_picture(&s, &v, strcmp(kind, "-") == 0 ? -1 : kind_of(kind), rung, &set);
+        loaded_scene_close(&s);
+    }
+}
+
 int main(int count, char **words)
 {
     loaded_scene s;
 
     if (count != 5) {
         fprintf(stderr, "usage: rung_samples SCENE.ini SEED VIEWS "
-                        "errors|bases|rungs|mixed|sets|walk|faces\n");
+                        "errors|bases|rungs|mixed|sets|walk|again|faces\n");
         return EXIT_USAGE;
     }
     const sample_view own = { .words = 0, .width = 320, .height = 240 };
@@ -353,9 +440,11 @@ int main(int count, char **words)
     if (!open_view(&s, words[1], &own, NULL))
         return EXIT_INPUT;
     const tp_scene scene = s.file.scene;
+    if (words[4][0] == 'a')
+        print_again(words[1]);
     if (words[4][0] == 'f') {
         const tp_view_costs c = costs_of(&s, &own);
-        const uint64_t *part = c.part[0];
+        const uint64_t *part = c.part;
         printf("%" PRIu64 "\n", part[TP_PART_faces] + part[TP_PART_solids]
                                      + part[TP_PART_mirror]);
     }

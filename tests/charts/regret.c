@@ -24,6 +24,7 @@
 #include <stdlib.h>
 #include "app/files/log.h"
 #include "app/scene/loaded_scene.h"
+#include "quality/rung_prices.h"
 #include "tests/charts/regret_search.h"
 #include "tests/lib/random.h"
 
@@ -53,7 +54,7 @@ static uint64_t random_best(const regret_view *v, const tp_rung_set *from, uint6
         for (int k = 0; k < TP_RUNG_KINDS; k++) {
             const uint8_t r =
                 (uint8_t)(random_next(&seed) % tp_rung_kind_count(k));
-            if (v->open >> k & 1 && random_next(&seed) % 3 == 0 && regret_knows(v, k, r))
+            if (v->open >> k & 1 && random_next(&seed) % 3 == 0 && tp_rung_is_known(v->costs, k, r))
                 set.of[k] = r;
         }
         if (tp_set_price_estimate(v->costs, &set).square > v->most)

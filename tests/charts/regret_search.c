@@ -80,24 +80,19 @@ static void front_join(front *f, const front *other, const tp_rung_set *base, ui
 
 /* -- groups of kinds ----------------------------------------------------------------- */
 
-bool regret_knows(const regret_view *v, int kind, uint8_t rung)
-{
-    if (kind == TP_KIND_VISIBILITY && !v->costs->estimate.fits[rung])
-        return false;
-    return rung == 0 || tp_rung_prices[kind][rung].factor > 0;
-}
-
 /* Returns the bits of the parts of a kind that cost something. */
-static uint32_t parts_of(const regret_view *v, const tp_rung_set *base, int kind)
+static uint64_t parts_of(const regret_view *v, const tp_rung_set *base, int kind)
 {
-    const uint64_t *part = v->costs->part[base->of[TP_KIND_VISIBILITY]];
-    uint32_t parts = tp_rung_effects[kind].parts, paid = 0;
+    const tp_view_costs *c = v->costs;
+    const uint64_t *seen = c->seen[tp_set_renderer(c, base)];
+    uint64_t parts = tp_rung_effects[kind].parts, paid = 0;
 
-    if (kind == TP_KIND_vertices)
-        parts |= 1u << TP_PART_vertices;
-    for (int p = 0; p < TP_PART_COUNT; p++)
-        if (parts >> p & 1 && part[p] > 0)
-            paid |= 1u << p;
+    for (int p = 0; p < TP_PART_COUNT; p++) {
+        const bool counted = parts >> p & 1
+            || (kind == TP_KIND_vertices && p >= TP_PART_cells && p < TP_PARTS_SEEN);
+        if (counted && (p < TP_PARTS_SEEN ? seen[p] : c->part[p]) > 0)
+            paid |= (uint64_t)1 << p;
+    }
     return paid;
 }
 
@@ -107,7 +102,7 @@ static bool may_save(const regret_view *v, const tp_rung_set *base, int kind, ui
     tp_rung_set set = *base;
 
     set.of[kind] = rung;
-    return regret_knows(v, kind, rung) && parts_of(v, base, kind)
+    return tp_rung_is_known(v->costs, kind, rung) && parts_of(v, base, kind)
         && tp_rung_takes_effect(v->costs, &set, kind)
         && (tp_rung_prices[kind][rung].factor < 256 || kind == TP_KIND_vertices);
 }
@@ -134,12 +129,13 @@ static uint32_t useful_kinds(const regret_view *v, const tp_rung_set *base)
 /* Returns the kinds of `left` that are linked with the first one of them by parts. */
 static uint32_t linked_kinds(const regret_view *v, const tp_rung_set *base, uint32_t left)
 {
-    uint32_t kinds = left & -left, parts = 0, before;
+    uint32_t kinds = left & -left, before;
+    uint64_t parts = 0;
 
     do {
         before = kinds;
         for (int k = 0; k < TP_RUNG_KINDS; k++) {
-            const uint32_t own = left >> k & 1 ? parts_of(v, base, k) : 0;
+            const uint64_t own = left >> k & 1 ? parts_of(v, base, k) : 0;
             if (kinds >> k & 1 || own & parts) {
                 kinds |= 1u << k;
                 parts |= own;
@@ -230,7 +226,7 @@ tp_rung_set regret_cheapest(const regret_view *v, const tp_rung_set *from)
             if (base.of[TP_KIND_SHADING] && clear)
                 base.of[TP_KIND_refraction] = 1;
             if (base.of[TP_KIND_VISIBILITY] == r
-                && regret_knows(v, TP_KIND_VISIBILITY, r))
+                && tp_rung_is_known(v->costs, TP_KIND_VISIBILITY, r))
                 search_from(v, &base, &least, &best);
         }
     return best;
@@ -245,7 +241,7 @@ static void change(const regret_view *v, tp_rung_set *set, int kind, uint8_t run
 
     set->of[kind] = rung;
     if (rung && e->needs_rung && v->open >> e->needs_kind & 1
-        && regret_knows(v, e->needs_kind, e->needs_rung))
+        && tp_rung_is_known(v->costs, e->needs_kind, e->needs_rung))
         set->of[e->needs_kind] = e->needs_rung;
     if (set->of[TP_KIND_SHADING] && v->costs->clear && v->open >> TP_KIND_refraction & 1)
         set->of[TP_KIND_refraction] = 1;
@@ -270,7 +266,7 @@ void regret_improve(const regret_view *v, tp_rung_set *set)
         for (int k = 0; k < TP_RUNG_KINDS; k++)
             for (uint8_t r = 0; v->open >> k & 1 && r < tp_rung_kind_count(k); r++) {
                 tp_rung_set to = *set;
-                if (r == set->of[k] || !regret_knows(v, k, r))
+                if (r == set->of[k] || !tp_rung_is_known(v->costs, k, r))
                     continue;
                 change(v, &to, k, r);
                 take_better(v, &to, &best, &least);

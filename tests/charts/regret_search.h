@@ -11,9 +11,6 @@ typedef struct {
     uint64_t most;              /* budget: mean square error, Q16 */
 } regret_view;
 
-/* True if the rung has a measured price and the view can show it. */
-bool regret_knows(const regret_view *v, int kind, uint8_t rung);
-
 /* Returns the cheapest set within the budget; kinds that are not open are those of `from`. */
 tp_rung_set regret_cheapest(const regret_view *v, const tp_rung_set *from);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Sets of rungs: kinds and rows agree with the table of parameters; prices are those of
- * their parts; walks get cheaper at each step, and their sets fit the scene. */
+/* Sets of rungs: kinds and rows agree with the table of parameters; costs are sums of parts,
+ * and errors are 0 only where measured; walks get cheaper at each step, and their sets fit
+ * the scene. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -91,8 +92,37 @@ static void kinds_of_auto_are_open(void **state)
 
 /* -- prices -------------------------------------------------------------------------- */
 
-/* The exact set has no error, and costs what its parts cost, times their factors. */
-static void the_exact_set_costs_its_parts(void **state)
+/* A rung whose error is measured has an error in every view in which it takes effect,
+ * however small the share that shows it: a predicted error of 0 is a measured one. */
+static void errors_that_are_measured_are_never_predicted_as_zero(void **state)
+{
+    uint32_t zeros = 0, errors = 0;
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = swells_any();
+        const tp_view_costs view = view_of(&s);
+        for (int k = 0; k < TP_RUNG_KINDS; k++)
+            for (uint8_t r = 1; r < tp_rung_kind_count(k); r++) {
+                const tp_rung_effect *e = &tp_rung_effects[k];
+                tp_rung_set set = { .of = { 0 } };
+                if (e->needs_rung)
+                    set.of[e->needs_kind] = e->needs_rung;
+                const uint64_t before = tp_set_price_estimate(&view, &set).square;
+                set.of[k] = r;
+                const uint64_t after = tp_set_price_estimate(&view, &set).square;
+                const bool measured = tp_rung_prices[k][r].square[view.estimate.sea] > 0;
+                assert_int_equal(after > before,
+                                 measured && tp_rung_takes_effect(&view, &set, k));
+                zeros += after == before;
+                errors += after > before;
+            }
+    }
+    assert_true(zeros > 40 && errors > 400);
+}
+
+/* The exact set has no error; its cost is the sum of its parts by their factors. */
+static void exact_sets_cost_their_parts(void **state)
 {
     static const tp_rung_set exact = { .of = { 0 } };
 
@@ -103,9 +133,33 @@ static void the_exact_set_costs_its_parts(void **state)
         const tp_set_price price = tp_set_price_estimate(&view, &exact);
         uint64_t sum = 0;
         for (int p = 0; p < TP_PART_COUNT; p++)
-            sum += view.part[0][p] * tp_part_factors[0][p] >> 8;
-        assert_true(price.cost == sum && sum > 0);
+            sum += p < TP_PARTS_SEEN ? view.seen[0][p] * tp_seen_factors[0][p] >> 8
+                                     : view.part[p] * tp_part_factors[0][p] >> 8;
         assert_true(price.square == 0);
+        assert_true(price.cost == sum && sum > 0);
+    }
+}
+
+/* Rungs that another rung replaces change neither cost nor error: colours of half rate
+ * replace fast light, and fast sines replace fast waves. */
+static void replaced_rungs_change_nothing(void **state)
+{
+    static const uint8_t pairs[][3] = { { TP_KIND_RATE, 2, TP_KIND_light },
+                                        { TP_KIND_sine, 1, TP_KIND_waves } };
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const tp_scene s = swells_any();
+        const tp_view_costs view = view_of(&s);
+        for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+            tp_rung_set set = { .of = { 0 } };
+            set.of[TP_KIND_SHADING] = 1;
+            set.of[pairs[i][0]] = pairs[i][1];
+            const tp_set_price one = tp_set_price_estimate(&view, &set);
+            set.of[pairs[i][2]] = 1;
+            const tp_set_price both = tp_set_price_estimate(&view, &set);
+            assert_true(one.cost == both.cost && one.square == both.square);
+        }
     }
 }
 
@@ -134,7 +188,7 @@ static void chosen_sets_are_cheapest_within_the_error(void **state)
             for (uint8_t r = 0; r < tp_rung_kind_count(k); r++) {
                 tp_rung_set to = set;
                 to.of[k] = r;
-                if (k == TP_KIND_VISIBILITY && !view.estimate.fits[r])
+                if (!tp_rung_is_known(&view, k, r))
                     continue;
                 const tp_set_price other = tp_set_price_estimate(&view, &to);
                 assert_true(other.square > most || other.cost >= price.cost);
@@ -185,6 +239,34 @@ static void each_step_is_cheaper(void **state)
     printf("    %u steps of 40 scenes\n", (unsigned)steps);
 }
 
+/* Fast light lights every second column: a walk takes it only where no lobe shows.  Light
+ * ahead over waves has a lobe, light behind the camera over gentle water has none. */
+static void walks_leave_fast_light_out_of_a_lobe(void **state)
+{
+    const uint32_t open = 1u << TP_KIND_SHADING | 1u << TP_KIND_light;
+    uint32_t taken = 0;
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = swells_any();
+        const tp_rung_set exact = { .of = { 0 } };
+        s.camera.heading = s.light.heading + (n & 1 ? TP_FX(180) : 0);
+        s.camera.pitch = TP_FX(-12);
+        s.light.elevation = TP_FX(20);
+        s.water.specular = TP_FX(0.9);
+        for (int i = 0; i < TP_WAVES; i++)
+            s.wave[i].amplitude /= 8;
+        const tp_view_costs view = view_of(&s);
+        assert_int_equal(view.estimate.lobe, !(n & 1));
+        tp_set_walk_make(&walk, &view, exact, open);
+        for (uint32_t i = 0; i < walk.count; i++) {
+            assert_false(view.estimate.lobe && walk.set[i].of[TP_KIND_light]);
+            taken += walk.set[i].of[TP_KIND_light];
+        }
+    }
+    assert_true(taken > 0);
+}
+
 static void kinds_that_are_not_open_stay(void **state)
 {
     (void)state;
@@ -229,10 +311,13 @@ int main(void)
         cmocka_unit_test(every_kind_has_a_row_of_as_many_rungs),
         cmocka_unit_test(a_set_names_its_rows_and_is_read_from_them),
         cmocka_unit_test(kinds_of_auto_are_open),
-        cmocka_unit_test(the_exact_set_costs_its_parts),
         cmocka_unit_test(chosen_sets_are_cheapest_within_the_error),
         cmocka_unit_test(sets_that_fit_a_cost_keep_it),
+        cmocka_unit_test(exact_sets_cost_their_parts),
+        cmocka_unit_test(errors_that_are_measured_are_never_predicted_as_zero),
+        cmocka_unit_test(replaced_rungs_change_nothing),
         cmocka_unit_test(each_step_is_cheaper),
+        cmocka_unit_test(walks_leave_fast_light_out_of_a_lobe),
         cmocka_unit_test(kinds_that_are_not_open_stay),
         cmocka_unit_test(refined_sets_err_less_and_stay_within_the_cost),
     };
