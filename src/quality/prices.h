@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Costs and errors for the plan: the measured table of the rungs, the estimate of the
- * start camera's view, the fixed cost of features, and wave culling.
+ * Costs for the plan: the measured table of the exact rungs, the estimate of the start
+ * camera's view, the fixed cost of features, and wave culling.
  *
- * Costs are Cortex-M4 instructions.  Errors are relative to a reference picture
- * (tests/lib/quality_error.h), minus the error of the exact rungs.  The table is generated
- * from assets/charts/prices.csv.
+ * Costs are Cortex-M4 instructions.  The table is generated from assets/charts/prices.csv.
  */
 #ifndef TP_QUALITY_PRICES_H
 #define TP_QUALITY_PRICES_H
@@ -35,7 +33,6 @@ enum {
 
 /* The cost of a water renderer (visibility). */
 typedef struct {
-    bool  known;
     tp_fx pixel;                /* instructions per water pixel */
     tp_fx vertex;               /* instructions per evaluated point, to which the fields
                                  * below are added */
@@ -43,18 +40,6 @@ typedef struct {
     tp_fx coastal, floor, map;  /* coastal: with wind only; over a plane; over a map */
     tp_fx still;                /* replaces `pixel` for level water */
 } tp_seen_price;
-
-/* The cost of a shading of the water, instructions per pixel; some parts are
- * negative. */
-typedef struct {
-    bool  known;
-    tp_fx part[TP_TRAIT_COUNT];
-} tp_shaded_price;
-
-typedef struct {
-    bool  known;
-    tp_fx px, colour;
-} tp_error_price;
 
 /* Work besides finding and shading the water; fixed_cost.c counts each kind, and each
  * kind has a cost.  For the boat: boat_face counts the faces of the mesh; boat_scan
@@ -88,9 +73,9 @@ typedef struct {
     tp_fx           sky;        /* instructions per sky pixel */
     tp_fx           slope_colour; /* rms colour error (of 255) caused by slopes of rms 1 */
     tp_seen_price   seen[TP_VISIBILITIES];
-    tp_shaded_price shaded[TP_SHADINGS][TP_RATES];
+    tp_fx           shaded[TP_TRAIT_COUNT];     /* exact shading, instructions per pixel;
+                                                 * some are negative */
     tp_fx           work[TP_WORK_COUNT];
-    tp_error_price  error[TP_KINDS][TP_KIND_RUNGS][TP_SEA_CLASSES];
 } tp_prices;
 
 extern const tp_prices tp_prices_measured;

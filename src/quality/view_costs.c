@@ -134,7 +134,7 @@ static void set_parts(tp_view_costs *view, const tp_plan_conditions *g,
     int64_t sum[TP_PART_COUNT] = { 0 };
 
     for (int i = 0; i < TP_TRAIT_COUNT; i++) {
-        const int64_t price = i == TP_TRAIT_plain ? 8 << 16 : prices->shaded[0][0].part[i];
+        const int64_t price = i == TP_TRAIT_plain ? 8 << 16 : prices->shaded[i];
         const int p = trait_part[i];
         sum[o->trait[TP_TRAIT_dome] && LIT_BY_DOME(p) ? TP_PART_dome_light : p] +=
             o->trait[i] * price * view->water;

@@ -66,9 +66,7 @@ enum {
     TP_MODULE_COASTAL = 2048,   /* waves depend on a floor or on wind */
     TP_MODULE_MIRROR = 4096,    /* planar reflection of solid objects */
     TP_MODULE_OUTLINES = 8192,  /* outlines of meshes by coverage */
-    TP_MODULE_UNPRICED = 16384, /* water stage whose fast form the plan has no price for:
-                                 * fast shading only where the scene names it */
-    TP_MODULE_CLEAR  = 32768    /* shows the floor through the water; its fast stage lights
+    TP_MODULE_CLEAR  = 16384    /* shows the floor through the water; its fast stage lights
                                  * the water */
 };
 

@@ -11,7 +11,7 @@ MODELS_O := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/budgets/models*.c))
 # Uses the board's mem*: the C library selects its own at run time by the processor.
 $(BUILD)/tests/budgets/models: $(MODELS_O) $(BUILD)/ports/cortex-m/memory.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
-$(BUILD)/tests/budgets/errors: $(BUILD)/tests/budgets/errors.o $(BUILD)/ports.a $(LIB)
+$(BUILD)/tests/budgets/slope_colour: $(BUILD)/tests/budgets/slope_colour.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 $(BUILD)/models.elf: $(MODELS_O) $(BOARD_REST)
 	$(SAY)$(LINK_ELF)

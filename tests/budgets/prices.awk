@@ -3,15 +3,11 @@
 #
 #   awk -f tests/budgets/prices.awk assets/charts/prices.csv >src/quality/prices.inc
 #
-# Rows: what,rung,item,figure. The plan does not know a rung without rows.
+# Rows: what,rung,item,figure. The plan has the exact rows of shading alone.
 BEGIN {
     FS = ","
     n["visibility"] = split("triangles rows projected flat", visibility, " ")
-    n["shading"] = split("exact quick", shading, " ")
-    n["rate"] = split("full layers colour", rate, " ")
     index_of(visibility, n["visibility"])
-    index_of(shading, n["shading"])
-    index_of(rate, n["rate"])
     print "/* SPDX-License-Identifier: MIT */"
     print "/* Made by tests/budgets/prices.awk from assets/charts/prices.csv; not to be edited. */"
 }
@@ -41,38 +37,18 @@ function wrong(why)
     exit 1
 }
 
-function known(path)
-{
-    if (path in told)
-        return
-    told[path]
-    printf "    %s.known = true,\n", path
-}
-
 /^#/ || /^what,/ { next }
 NF != 4 || $4 !~ /^-?[0-9]+(\.[0-9]+)?$/ { wrong("expected what,rung,item,figure") }
 $1 == "whole" { printf "    .%s = TP_FX(%s),\n", $3, $4; next }
 $1 == "work" { printf "    .work[TP_WORK_%s] = TP_FX(%s),\n", $3, $4; next }
 $1 == "seen" {
     path = ".seen" places($2)
-    known(path)
     printf "    %s.%s = TP_FX(%s),\n", path, $3, $4
     next
 }
-$1 == "shaded" {
-    path = ".shaded" places($2)
-    known(path)
-    printf "    %s.part[TP_TRAIT_%s] = TP_FX(%s),\n", path, $3, $4
+$1 == "shaded" && $2 == "exact.full" {
+    printf "    .shaded[TP_TRAIT_%s] = TP_FX(%s),\n", $3, $4
     next
 }
-# example: error,rows,gentle_glossy.px,0.25
-$1 == "error" {
-    split($3, part, ".")
-    of = $2 ~ /^(triangles|rows|projected|flat)$/ ? "VISIBILITY" : \
-         $2 ~ /^(exact|quick)$/ ? "SHADING" : "RATE"
-    path = ".error[TP_KIND_" of "]" places($2) "[TP_SEA_" toupper(part[1]) "]"
-    known(path)
-    printf "    %s.%s = TP_FX(%s),\n", path, part[2], $4
-    next
-}
+$1 == "shaded" { next }         # for the chart
 { wrong("no price of " $1) }

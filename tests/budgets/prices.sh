@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Measures the plan's cost table: instructions on an emulated Cortex-M4, errors on this
-# machine over the shipped scenes.
+# Measures the plan's cost table: instructions on an emulated Cortex-M4, and what slopes do
+# to colours, on this machine over the shipped scenes.
 #
 #   tests/budgets/prices.sh             test: the table is made from the chart `prices`; with
 #                                       TP_SOAK set the chart equals the measurement
@@ -17,7 +17,7 @@ made=src/quality/prices.inc
 elf=build/cortex-m/prices.elf
 
 if [ "${1:-}" = --write ]; then
-    build all build/host/tests/budgets/errors &&
+    build all build/host/tests/budgets/slope_colour &&
         build/host/tidepool charts assets/charts --only prices || exit
     awk -f tests/budgets/prices.awk $table >"$scratch/made" && cp "$scratch/made" $made
     exit
@@ -38,10 +38,10 @@ measure()
     shade_functions >"$scratch/shade"
     awk -f tests/budgets/prices-count.awk "$scratch/shade" "$scratch/said" \
         "$scratch/counts" >"$scratch/costs" 2>"$scratch/fit" &&
-        awk -f tests/budgets/prices-error.awk "$scratch/costs" "$scratch/errors" \
-            >"$scratch/offs" &&
         { echo "what,rung,item,figure"
-          cat "$scratch/costs" "$scratch/offs"; } >"$scratch/table"
+          cat "$scratch/costs"
+          sort -rn -k2 "$scratch/slopes" | awk '
+              { printf "whole,-,slope_colour,%.3f\n", $2; exit }'; } >"$scratch/table"
 }
 
 same_made()
@@ -56,10 +56,10 @@ else
 fi
 check "the board's program builds" build BOARD=cortex-m $elf
 check "the plugin and the comparing program build" build $plugin \
-    build/host/tests/budgets/errors
+    build/host/tests/budgets/slope_colour
 check "the board draws every rung" emulate $elf "$scratch/said" "$scratch/counts"
-check "the scenes are compared" sh -c \
-    "build/host/tests/budgets/errors assets/scenes/*.ini >'$scratch/errors'"
+check "slopes are compared" sh -c \
+    "build/host/tests/budgets/slope_colour assets/scenes/*.ini >'$scratch/slopes'"
 check "prices come of it" measure
 if [ -f "$scratch/fit" ]; then sort "$scratch/fit"; fi
 [ "$failed" = 0 ] || exit 1

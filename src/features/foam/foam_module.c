@@ -329,7 +329,7 @@ static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *im
 }
 
 const tp_module tp_foam_module = {
-    .name = "foam", .id = TP_FOAM_ID, .is = TP_MODULE_UNPRICED,
+    .name = "foam", .id = TP_FOAM_ID,
     .trait = TP_TRAIT_foam, .enabled = tp_foam_enabled,
     .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = handle_impact,
     .is_valid = is_valid,

@@ -190,7 +190,7 @@ static void *layout_mirror(tp_arena *arena, const tp_module_conditions *conditio
 }
 
 const tp_module tp_mirror_module = {
-    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_UNPRICED | TP_MODULE_MIRROR,
+    .name = "mirror", .id = TP_MIRROR_ID, .is = TP_MODULE_MIRROR,
     .trait = TP_TRAIT_objects, .enabled = tp_mirror_enabled,
 };
 

@@ -258,7 +258,7 @@ static void add_clear_water_stage(const tp_frame *frame, const void *mine,
 
 const tp_module tp_clear_water_module = {
     .name = "clear water", .id = TP_CLEAR_WATER_ID,
-    .is = TP_MODULE_UNPRICED | TP_MODULE_CLEAR, .trait = TP_TRAIT_behind,
+    .is = TP_MODULE_CLEAR, .trait = TP_TRAIT_behind,
     .enabled = tp_clear_water_enabled, .count = set_cost_traits,
 };
 

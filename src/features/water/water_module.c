@@ -130,18 +130,6 @@ static void set_reflectance_traits(const tp_module_conditions *conditions,
 
 /* -- fast shading -------------------------------------------------------------------- */
 
-/* True if the plan may choose fast shading: the scene has only what its prices were
- * measured with: no light beyond white, and ripples, since smooth water shows the cells of
- * a dome or a cube. */
-static bool is_priced(const tp_module_conditions *conditions)
-{
-    const bool sky = conditions->above & (TP_MODULE_DOME | TP_MODULE_CUBE);
-
-    return tp_exact_hdr_share(conditions->scene) <= 0
-           && (tp_ripple_enabled(conditions) || !sky)
-           && !(conditions->above & TP_MODULE_UNPRICED);
-}
-
 /* True if no module needs exact stages.  The exact view into clear water is one. */
 static bool has_fast_stages(const tp_module_conditions *conditions)
 {
@@ -150,19 +138,17 @@ static bool has_fast_stages(const tp_module_conditions *conditions)
                || conditions->scene->quality.refraction == TP_RUNG_FAST);
 }
 
-/* True if fast shading can draw the water, and the plan or the scene may choose it. */
+/* True if fast shading can draw the water, and the frame may use it. */
 bool tp_fast_water_enabled(const tp_module_conditions *conditions)
 {
-    return (conditions->shadings >> TP_SHADING_QUICK & 1) && has_fast_stages(conditions)
-           && (conditions->scene->quality.shading == TP_SHADING_QUICK
-               || is_priced(conditions));
+    return (conditions->shadings >> TP_SHADING_QUICK & 1) && has_fast_stages(conditions);
 }
 
 /* -- the modules --------------------------------------------------------------------- */
 
 const tp_module tp_bumps_module = {
     .name = "bumps", .id = TP_BUMPS_ID,
-    .is = TP_MODULE_UNPRICED | TP_MODULE_SLOPES,
+    .is = TP_MODULE_SLOPES,
     .enabled = tp_bumps_enabled, .count = set_bump_traits,
 };
 
