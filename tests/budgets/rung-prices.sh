@@ -9,6 +9,8 @@
 #                                           scene, errors in 24
 #   tests/budgets/rung-prices.sh --refit    fits again to the pictures counted by --write, 4
 #                                           minutes: enough after changes of src/quality
+#   tests/budgets/rung-prices.sh --errors   measures the errors alone, 8 minutes, and leaves
+#                                           the factors
 #   tests/budgets/rung-prices.sh --scene SCENE MODE VIEWS SEED
 #                                           counts pictures of a scene, and prints them with
 #                                           the parts of their cost and the prediction
@@ -94,6 +96,16 @@ case ${1:-} in
         sampled errors 24 1
     } >$kept || exit 1
     fitted
+    exit ;;
+--errors)
+    build $samples >/dev/null && sampled errors 24 1 >build/host/rung-errors || exit 1
+    awk -f tests/budgets/rung-prices.awk -v to=csv build/host/rung-errors |
+        grep ',sea[0-9]*,' >"$scratch/errors" || exit 1
+    { grep '^[#k]\|^seen,\|^part,' $table
+      { grep -v '^[#k]\|^seen,\|^part,\|,sea[0-9]*,' $table; cat "$scratch/errors"; } |
+          sort -t, -k1,1 -k2,2n -k3,3; } >"$scratch/table" &&
+        cp "$scratch/table" $table &&
+        awk -f tests/budgets/rung-prices.awk -v to=inc $table >$made
     exit ;;
 --refit)
     build $samples >/dev/null && fitted

@@ -3,7 +3,7 @@
  * cameras, sizes of the picture, heights of the sea, directions of the light.
  *
  *     rung_samples SCENE SEED VIEWS errors
- *         draws each rung of each kind, and prints the mean square of its difference from
+ *         at ticks 60, 180 and 300 draws each rung of each kind, and prints the mean square of its difference from
  *         the exact picture, or from the rung that it needs:
  *             error KIND RUNG SEA SHARE SQUARE
  *         SQUARE is 0 only if both pictures are alike
@@ -47,7 +47,7 @@ static uint64_t chance;
 typedef struct {
     char     word[WORDS][BYTES];
     int      words;
-    uint32_t width, height;
+    uint32_t width, height, tick;
 } sample_view;
 
 /* -- views --------------------------------------------------------------------------- */
@@ -66,7 +66,7 @@ static sample_view view_any(const tp_scene *s)
 {
     static const uint16_t sizes[][2] = { { 320, 240 }, { 160, 120 }, { 480, 320 } };
     const uint16_t *size = sizes[chance_int(&chance, 0, 2)];
-    sample_view v = { .words = 0, .width = size[0], .height = size[1] };
+    sample_view v = { .words = 0, .width = size[0], .height = size[1], .tick = TICK };
     const double sea = chance_double(&chance, 0.6, 1.3);
 
     add(&v, "camera.heading", of(s->camera.heading) + chance_double(&chance, -40, 40));
@@ -106,7 +106,7 @@ static bool open_view(loaded_scene *s, const char *path, const sample_view *v,
         return false;
     if (loaded_scene_make_world(s) != EXIT_DONE)
         exit(EXIT_INPUT);
-    while (s->world->tick < TICK)
+    while (s->world->tick < v->tick)
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
     return true;
 }
@@ -435,7 +435,9 @@ int main(int count, char **words)
                         "errors|bases|rungs|mixed|sets|walk|again|faces\n");
         return EXIT_USAGE;
     }
-    const sample_view own = { .words = 0, .width = 320, .height = 240 };
+    static const uint32_t ticks[] = { TICK, 180, 300 };
+    const bool drawn = words[4][0] == 'e' || words[4][0] == 'w';
+    const sample_view own = { .words = 0, .width = 320, .height = 240, .tick = TICK };
     chance = strtoull(words[2], NULL, 10) * 2654435761u + 88172645463325252u;
     if (!open_view(&s, words[1], &own, NULL))
         return EXIT_INPUT;
@@ -450,7 +452,8 @@ int main(int count, char **words)
     }
     loaded_scene_close(&s);
     for (int n = atoi(words[3]); n > 0; n--) {
-        const sample_view v = view_any(&scene);
+        sample_view v = view_any(&scene);
+        v.tick = drawn ? ticks[n % 3] : TICK;
         if (!open_view(&s, words[1], &v, NULL)) {
             n++;
             continue;
