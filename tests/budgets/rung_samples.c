@@ -414,6 +414,7 @@ static void print_again(const char *path)
         tp_rung_set set = { .of = { 0 } };
         strcpy(copy, line);
         const int count = read_picture(copy, &v, rungs);
+        v.tick = TICK;
         if (sscanf(line, "picture %63s %d", kind, &rung) != 2
             || !open_view(&s, path, &v, NULL))
             exit(EXIT_INPUT);

@@ -87,24 +87,6 @@ typedef struct {
     int32_t u[3], v[3];
 } outline;
 
-/* Marks the lattice rays inside a front face as stopped by a solid. */
-static void mark_stopped_rays(tp_site *w, const boat_view *l, const outline *o)
-{
-    for (int32_t j = 0; j < TP_RAYS; j++) {
-        const int32_t v = 16 * l->rows - (2 * j + 1) * l->rows * 8 / TP_RAYS;
-        for (int32_t i = 0; i < TP_RAYS; i++) {
-            const int32_t u = (2 * i + 1) * l->cols * 8 / TP_RAYS;
-            bool inside = true;
-            for (int k = 0; k < 3; k++) {
-                const int n = k < 2 ? k + 1 : 0;
-                inside = inside && (int64_t)(o->u[n] - o->u[k]) * (v - o->v[k])
-                                 - (int64_t)(o->v[n] - o->v[k]) * (u - o->u[k]) <= 0;
-            }
-            w->solid[j] |= (uint32_t)inside << i;
-        }
-    }
-}
-
 static int32_t least(const int32_t of[3])
 {
     const int32_t n = of[0] < of[1] ? of[0] : of[1];
@@ -115,6 +97,34 @@ static int32_t most(const int32_t of[3])
 {
     const int32_t n = of[0] > of[1] ? of[0] : of[1];
     return n > of[2] ? n : of[2];
+}
+
+/* True if (u, v) is inside a front face. */
+static bool is_inside(const outline *o, int32_t u, int32_t v)
+{
+    for (int k = 0; k < 3; k++) {
+        const int n = k < 2 ? k + 1 : 0;
+        if ((int64_t)(o->u[n] - o->u[k]) * (v - o->v[k])
+            > (int64_t)(o->v[n] - o->v[k]) * (u - o->u[k]))
+            return false;
+    }
+    return true;
+}
+
+/* Marks the lattice rays inside a front face as stopped by a solid. */
+static void mark_stopped_rays(tp_site *w, const boat_view *l, const outline *o)
+{
+    const int32_t left = least(o->u), right = most(o->u), top = least(o->v),
+                  bottom = most(o->v);
+
+    for (int32_t j = 0; j < TP_RAYS; j++) {
+        const int32_t v = 16 * l->rows - (2 * j + 1) * l->rows * 8 / TP_RAYS;
+        for (int32_t i = 0; v >= top && v <= bottom && i < TP_RAYS; i++) {
+            const int32_t u = (2 * i + 1) * l->cols * 8 / TP_RAYS;
+            if (u >= left && u <= right)
+                w->solid[j] |= (uint32_t)is_inside(o, u, v) << i;
+        }
+    }
 }
 
 /* Counts one face: its setup in each band, and its filled pixels if the face is a front
