@@ -237,6 +237,18 @@ cp out list
 run render minimal --size 64x48 --frames 40 --hash --set quality.frame_ms=10000
 same "within its time a frame is drawn as planned" "$code $(cat out)" "0 $(cat list)"
 
+# A scene that names a board is drawn by the rows that the plan prints for it.
+run plan storm --board stm32f405 --size 64x48 --csv
+set -- $(tail -1 out | cut -d, -f4 | sed 's/[^ ][^ ]*/--set &/g')
+[ $# -gt 8 ] || set -- --no-rows
+run render storm --size 64x48 --frames 40 --hash --rung exact "$@"
+cp out list
+run render storm --size 64x48 --frames 40 --hash --set quality.board=stm32f405
+same "a board's picture has the rows of its plan" "$code $(cat out)" "0 $(cat list)"
+run render storm --size 64x48 --frames 40 --hash
+same "and is another than the one without a board" \
+    "$(cmp -s out list || echo another)" another
+
 # ini NAME CODE PATTERN TEXT...: runs a scene file with these lines.
 ini() {
     name=$1 want=$2 pattern=$3

@@ -213,5 +213,6 @@ void loaded_scene_close(loaded_scene *s)
     frame_renderer_close(&s->renderer);
     free(s->world);
     assets_close(&s->assets);
+    assets_close(&s->whole);
     scene_file_close(&s->file);
 }

@@ -14,6 +14,8 @@
 typedef struct {
     scene_file file;
     asset_set  assets;
+    asset_set  whole;           /* with all of the boat's faces, by which the plan counts;
+                                 * empty if `assets` has them */
     tp_world  *world;           /* in a block of world_bytes */
     size_t     world_bytes;
     frame_renderer renderer;

@@ -145,8 +145,10 @@ static bool needs_canvas(const loaded_scene *s, const change *c)
 static int do_change(loaded_scene *s, change *c, bool *opened)
 {
     const bool again = needs_canvas(s, c);
-    if (c->loaded)
+    if (c->loaded) {
         assets_move(&s->assets, c->loaded);
+        assets_close(&s->whole);
+    }
     if (c->world)
         loaded_scene_take_world(s, c->world, c->world_bytes);
     c->world = NULL;

@@ -17,7 +17,8 @@ static void make_view(tp_view_costs *view, const loaded_scene *s)
 {
     const tp_config *config = &s->renderer.config;
 
-    tp_plan_view(view, &s->file.scene, &s->assets.names, config->width, config->height);
+    tp_plan_view(view, &s->file.scene, scene_plan_assets(s), config->width,
+                 config->height);
     if (s->frame.board)
         view->processor = s->frame.board->priced_as;
 }

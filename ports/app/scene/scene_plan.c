@@ -5,6 +5,11 @@
 
 #define MESH (1u << TP_KIND_mesh)
 
+const tp_assets *scene_plan_assets(const loaded_scene *s)
+{
+    return s->whole.names.boat ? &s->whole.names : &s->assets.names;
+}
+
 board_frame scene_plan_board_frame(const loaded_scene *s)
 {
     board_frame frame = board_frame_of_scene(&s->file.scene);
@@ -22,9 +27,9 @@ tp_plan scene_plan_make(const loaded_scene *s, const board_frame *frame, uint32_
     bool kept;
 
     if (frame->board)
-        return board_plan_make(frame, &s->file.scene, &s->assets.names, width, height,
+        return board_plan_make(frame, &s->file.scene, scene_plan_assets(s), width, height,
                                real_time ? real_time : &kept);
-    return tp_plan_make(&s->file.scene, &s->assets.names, width, height);
+    return tp_plan_make(&s->file.scene, scene_plan_assets(s), width, height);
 }
 
 int scene_plan_take(loaded_scene *s, const options *o)
@@ -33,7 +38,7 @@ int scene_plan_take(loaded_scene *s, const options *o)
     s->plan = scene_plan_make(s, &s->frame, o->width, o->height, NULL);
     if (!(s->plan.open & MESH) || s->plan.set.of[TP_KIND_mesh] == 0)
         return EXIT_DONE;
-    assets_close(&s->assets);
+    assets_move(&s->whole, &s->assets);
     return loaded_scene_load_assets(s, &s->assets, o);
 }
 

@@ -4,6 +4,9 @@
 #define TP_APP_SCENE_SCENE_PLAN_H
 #include "loaded_scene.h"
 
+/* Returns the assets by which the plan counts: with all of the boat's faces. */
+const tp_assets *scene_plan_assets(const loaded_scene *s);
+
 /* Returns the frame of the scene's own board; runs a second of the scene if it has a board
  * that it had not before. */
 board_frame scene_plan_board_frame(const loaded_scene *s);

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/timing.h"
+#include "app/scene/scene_plan.h"
 #include "image_diff.h"
 #include "reference_thread.h"
 
@@ -93,7 +94,7 @@ static bool is_unfit(const loaded_scene *s, compare_against against)
     const tp_rung_set set = choose_rungs(against, s);
     tp_view_costs view;
 
-    tp_plan_view(&view, &s->file.scene, &s->assets.names, p->width, p->height);
+    tp_plan_view(&view, &s->file.scene, scene_plan_assets(s), p->width, p->height);
     return !view.estimate.fits[set.of[TP_KIND_VISIBILITY]]
         || (set.of[TP_KIND_SHADING] && !tp_set_is_fast(&view, &set));
 }
