@@ -75,10 +75,12 @@ int64_t tp_start_view_water_distance_ahead(const tp_start_view *at, int64_t x, i
 
 /* -- fixed cost ---------------------------------------------------------------------- */
 
+#define COSTED 16               /* modules with a cost; of a longer list the first ones */
+
 /* The cost callbacks of the enabled modules. */
 typedef struct {
-    const tp_cost *cost[TP_MODULES];
-    uint32_t stopped[TP_MODULES];       /* rays stopped by each module */
+    const tp_cost *cost[COSTED];
+    uint16_t stopped[COSTED];   /* rays stopped by each module */
     uint32_t count;
 } cost_callbacks;
 
@@ -88,7 +90,8 @@ static cost_callbacks collect_cost_callbacks(const tp_plan_input *in,
     cost_callbacks callbacks = { .count = 0 };
 
     for (const tp_use *u = in->modules; u && u->module; u++)
-        if (tp_module_ask_enabled(u->module, &conditions) && u->drawing && u->cost)
+        if (tp_module_ask_enabled(u->module, &conditions) && u->drawing && u->cost
+            && callbacks.count < COSTED)
             callbacks.cost[callbacks.count++] = u->cost;
     return callbacks;
 }
@@ -120,17 +123,18 @@ static void count_ray_stopped_by_object(tp_site *site, cost_callbacks *callbacks
     callbacks->stopped[by]++;
 }
 
-/* Sets a bit for each ray: in site->wet[row] if the ray meets water, in reflecting[row] if
- * that water is near enough to reflect objects: up to an eighth beyond the objects, as
- * in the stage of the planar reflection.  Counts rays that an object stops before the
- * water in `callbacks`, and sets their bits in site->solid. */
-static void mark_water_and_reflecting_rays(tp_site *site, cost_callbacks *callbacks,
-                                           uint32_t reflecting[TP_RAYS])
+/* Sets the bit of each ray that meets water in site->wet[row].  Counts rays that an object
+ * stops before the water in `callbacks`, and sets their bits in site->solid.  Returns the
+ * rays to water near enough to reflect objects: up to an eighth beyond the objects, as in
+ * the stage of the planar reflection. */
+static uint32_t mark_water_rays(tp_site *site, cost_callbacks *callbacks)
 {
     const tp_start_view *at = &site->at;
+    uint32_t looks = 0;
 
     for (int32_t j = 0; j < TP_RAYS; j++) {
-        reflecting[j] = site->wet[j] = 0;
+        uint32_t reflecting = 0;
+        site->wet[j] = 0;
         for (int32_t i = 0; i < TP_RAYS; i++) {
             const int64_t far = tp_start_view_water_distance_ahead(
                 at, at->wide * (2 * i + 1 - TP_RAYS) / TP_RAYS,
@@ -138,9 +142,11 @@ static void mark_water_and_reflecting_rays(tp_site *site, cost_callbacks *callba
             if (far > 0)
                 count_ray_stopped_by_object(site, callbacks, i, j, far);
             site->wet[j] |= (uint32_t)(far > 0) << i;
-            reflecting[j] |= (uint32_t)(far > 0 && far < site->far + site->far / 8) << i;
+            reflecting |= (uint32_t)(far > 0 && far < site->far + site->far / 8) << i;
         }
+        looks += count_bits(reflecting & ~site->solid[j]);
     }
+    return looks;
 }
 
 /* Returns the pixels of outlines, drawn over what lies behind: 23 sqrt(area), as measured
@@ -158,14 +164,13 @@ static uint32_t outline_pixels(const tp_site *site, uint32_t solid)
  * to site->fixed_cost. */
 static void add_pixels_to_fixed_cost(tp_site *site, cost_callbacks *callbacks)
 {
-    uint32_t reflecting[TP_RAYS], sky = 0, water = 0, hidden = 0, solid = 0, looks = 0;
+    const uint32_t looks = mark_water_rays(site, callbacks);
+    uint32_t sky = 0, water = 0, hidden = 0, solid = 0;
 
-    mark_water_and_reflecting_rays(site, callbacks, reflecting);
     for (int j = 0; j < TP_RAYS; j++) {
         solid += count_bits(site->solid[j]);
         hidden += count_bits(site->wet[j] & site->solid[j]);
         water += count_bits(site->wet[j] & ~site->solid[j]);
-        looks += count_bits(reflecting[j] & ~site->solid[j]);
         sky += count_bits(~(site->wet[j] | site->solid[j]));
     }
     const uint32_t all = tp_work_ray_pixels(site, solid);

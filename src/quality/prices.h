@@ -93,9 +93,6 @@ typedef struct {
  * rungs allowed.  Chooses nothing itself. */
 tp_module_conditions tp_plan_module_conditions(const tp_plan_input *in);
 
-/* True if a wave is culled or drawn lower, seen from the scene's camera. */
-bool tp_plan_culls_waves(const tp_plan_input *in);
-
 /* -- view_estimate.c: an estimate of the start camera's view ------------------------- */
 
 typedef struct {
@@ -260,6 +257,13 @@ tp_fx tp_wave_cull_weight(const tp_wave_cull_limits *limits, tp_fx amplitude, tp
 
 tp_wave_cull tp_wave_cull_evaluate(const tp_scene *scene, const tp_wave_cull_limits *limits,
                                    tp_fx slope_colour);
+
+/* Returns the culling of the scene's waves, seen from its start camera. */
+tp_wave_cull tp_plan_wave_cull(const tp_scene *scene, const tp_view_estimate *estimate,
+                               const tp_prices *prices);
+
+/* True if a wave is culled or drawn lower, seen from the scene's camera. */
+bool tp_plan_culls_waves(const tp_plan_input *in);
 
 /* Writes the culled deep water and its phases to `culled` and `culled_phases`.
  * Returns false and writes nothing if no wave is culled.  The bounds in `culled` stay

@@ -3,7 +3,6 @@
  * rungs. */
 #include "quality/rung_sets.h"
 #include "base/base.h"
-#include "quality/conditions.h"
 #include "quality/processor_prices.h"
 #include "quality/rung_prices.h"
 
@@ -96,11 +95,11 @@ static void set_raised_points(const tp_view_estimate *o, const tp_seen_price *pr
 /* Sets the parts of finding the water by one renderer, instructions.  A cell has 500, and
  * each row of its edges 300: a cell is about as wide as high, so its rows are the square
  * root of its pixels. */
-static void set_seen_parts(const tp_view_costs *view, const tp_plan_conditions *g, int v,
+static void set_seen_parts(const tp_view_costs *view, const tp_prices *prices, int v,
                            const tp_fixed_cost *fixed, uint64_t seen[TP_PARTS_SEEN])
 {
-    const tp_view_estimate *o = &g->estimate;
-    const tp_seen_price *price = &g->prices->seen[v];
+    const tp_view_estimate *o = &view->estimate;
+    const tp_seen_price *price = &prices->seen[v];
     const int64_t points = o->points[v];
     const uint64_t cells = (uint64_t)points * o->in_view >> 8;
 
@@ -114,23 +113,23 @@ static void set_seen_parts(const tp_view_costs *view, const tp_plan_conditions *
                                         : whole((int64_t)price->pixel * view->water);
     seen[TP_PART_vertices] = whole(price->vertex * points);
     seen[TP_PART_waves] =
-        whole(((int64_t)price->wave + (o->sharp ? price->sharp : 0)) * g->culled.left * points);
+        whole(((int64_t)price->wave + (o->sharp ? price->sharp : 0)) * view->culled.left * points);
     if (v > TP_VISIBILITY_ROWS - 1)
         return;
     seen[TP_PART_cells] = 500 * cells;
     seen[TP_PART_edges] = (uint64_t)300 * tp_isqrt64(cells * view->water);
-    set_raised_points(o, price, fixed, g->prices, seen);
+    set_raised_points(o, price, fixed, prices, seen);
 }
 
 /* True for a part that dome_light replaces under a dome. */
 #define LIT_BY_DOME(p) ((p) >= TP_PART_light && (p) <= TP_PART_mirrored_sky)
 
-/* Sets the parts of exact shading and of all else but finding the water. */
-static void set_parts(tp_view_costs *view, const tp_plan_conditions *g,
-                      const tp_plan_input *in, const tp_fixed_cost *fixed)
+/* Sets the parts of exact shading and of all else but finding the water.  Not inlined: the
+ * stack has no room for its sums below the fixed cost. */
+TP_NEVER_INLINE void set_parts(tp_view_costs *view, const tp_prices *prices,
+                               const tp_plan_input *in, const tp_fixed_cost *fixed)
 {
-    const tp_view_estimate *o = &g->estimate;
-    const tp_prices *prices = g->prices;
+    const tp_view_estimate *o = &view->estimate;
     int64_t sum[TP_PART_COUNT] = { 0 };
 
     for (int i = 0; i < TP_TRAIT_COUNT; i++) {
@@ -167,26 +166,26 @@ static tp_fx pixel_share(uint32_t pixels, const tp_plan_input *in)
 void tp_view_costs_make(tp_view_costs *view, const tp_prices *prices,
                         const tp_plan_input *in)
 {
-    const tp_plan_conditions g = tp_plan_conditions_make(prices, in);
-    const tp_fixed_cost fixed = tp_fixed_cost_estimate(in, &g.estimate, false);
-    const uint32_t hidden = fixed.hidden < g.estimate.water_pixels
-                                ? fixed.hidden : g.estimate.water_pixels;
+    tp_view_estimate *o = &view->estimate;
+
+    *o = tp_view_estimate_make(in);
+    view->culled = tp_plan_wave_cull(in->scene, o, prices);
+    const tp_fixed_cost fixed = tp_fixed_cost_estimate(in, o, false);
+    const uint32_t hidden = fixed.hidden < o->water_pixels ? fixed.hidden : o->water_pixels;
 
     view->processor = TP_PROCESSOR_M4;
-    view->estimate = g.estimate;
-    view->culled = g.culled;
-    view->fast = !(g.estimate.modules & TP_MODULE_EXACT);
-    view->clear = (g.estimate.modules & TP_MODULE_CLEAR) != 0;
-    view->water = g.estimate.water_pixels - hidden;
-    view->other = g.estimate.other_pixels + hidden;
+    view->fast = !(o->modules & TP_MODULE_EXACT);
+    view->clear = (o->modules & TP_MODULE_CLEAR) != 0;
+    view->water = o->water_pixels - hidden;
+    view->other = o->other_pixels + hidden;
     view->share[TP_SHARE_all] = TP_FX_ONE;
     view->share[TP_SHARE_sky] = pixel_share(view->other, in);
     view->share[TP_SHARE_water] = pixel_share(view->water, in);
     view->share[TP_SHARE_mirrored] = pixel_share(fixed.of[TP_WORK_looked_near], in);
     view->share[TP_SHARE_solid] = pixel_share(fixed.solid, in);
-    set_parts(view, &g, in, &fixed);
+    set_parts(view, prices, in, &fixed);
     for (int v = 0; v < TP_VISIBILITIES; v++)
-        set_seen_parts(view, &g, v, &fixed, view->seen[v]);
+        set_seen_parts(view, prices, v, &fixed, view->seen[v]);
 }
 
 /* -- a set --------------------------------------------------------------------------- */

@@ -126,3 +126,22 @@ bool tp_wave_cull_deep_water(tp_deep_water *culled, tp_turn culled_phases[TP_WAV
     }
     return true;
 }
+
+tp_wave_cull tp_plan_wave_cull(const tp_scene *scene, const tp_view_estimate *estimate,
+                               const tp_prices *prices)
+{
+    tp_wave_cull_limits limits =
+        tp_wave_cull_limits_make(scene, estimate->waves, prices->slope_colour);
+
+    limits.focal = estimate->focal;
+    limits.near = estimate->near;
+    return tp_wave_cull_evaluate(scene, &limits, prices->slope_colour);
+}
+
+bool tp_plan_culls_waves(const tp_plan_input *in)
+{
+    const tp_view_estimate estimate = tp_view_estimate_make(in);
+
+    return !estimate.coastal
+        && tp_plan_wave_cull(in->scene, &estimate, &tp_prices_measured).any;
+}

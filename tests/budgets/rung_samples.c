@@ -3,8 +3,8 @@
  * cameras, sizes of the picture, heights of the sea, directions of the light.
  *
  *     rung_samples SCENE SEED VIEWS errors
- *         at ticks 60, 180 and 300 draws each rung of each kind, and prints the mean square of its difference from
- *         the exact picture, or from the rung that it needs:
+ *         draws each rung of each kind, at ticks 60, 180 and 300, and prints the mean
+ *         square of its difference from the exact picture, or from the rung that it needs:
  *             error KIND RUNG SEA SHARE SQUARE
  *         SQUARE is 0 only if both pictures are alike
  *     rung_samples SCENE SEED VIEWS bases|rungs|mixed|sets

@@ -100,7 +100,7 @@ static int32_t most(const int32_t of[3])
 }
 
 /* True if (u, v) is inside a front face. */
-static bool is_inside(const outline *o, int32_t u, int32_t v)
+static bool contains_point(const outline *o, int32_t u, int32_t v)
 {
     for (int k = 0; k < 3; k++) {
         const int n = k < 2 ? k + 1 : 0;
@@ -122,7 +122,7 @@ static void mark_stopped_rays(tp_site *w, const boat_view *l, const outline *o)
         for (int32_t i = 0; v >= top && v <= bottom && i < TP_RAYS; i++) {
             const int32_t u = (2 * i + 1) * l->cols * 8 / TP_RAYS;
             if (u >= left && u <= right)
-                w->solid[j] |= (uint32_t)is_inside(o, u, v) << i;
+                w->solid[j] |= (uint32_t)contains_point(o, u, v) << i;
         }
     }
 }
