@@ -55,3 +55,17 @@ flash_of()              # ELF: its bytes
 {
     arm-none-eabi-size "$1" | awk 'END { print $1 + $2 }'
 }
+
+# Bakes a program, as scenes-count.sh does, and links it: its bytes.
+flash_of_baked()        # SCENE [OPTION]...
+{
+    "$program" bake "$@" --name baked --size 320x240 --format rgb565 --no-input \
+        -o "$scratch/baked.c" </dev/null || return 1
+    awk -v texels="$scratch/baked-texels.s" -f ports/tools/bake/texels.awk \
+        "$scratch/baked.c" >"$scratch/baked-rest.c" &&
+        arm-none-eabi-gcc $flash_arch -std=c11 -ffreestanding -O2 -Iinclude \
+            -S "$scratch/baked-rest.c" -o "$scratch/baked.s" &&
+        cat "$scratch/baked-texels.s" >>"$scratch/baked.s" &&
+        arm-none-eabi-gcc $flash_arch -c "$scratch/baked.s" -o "$scratch/baked.o" &&
+        flash_link "$scratch/program" "$scratch/baked.o" && flash_of "$scratch/program.elf"
+}

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "app/files/timing.h"
 #include "frame/tools.h"
+#include "tools/bake/flash.h"
 #include "tools/reference/image.h"
 
 enum { PICTURES = 2, BAND = 16, THREADS = 2 };
@@ -99,6 +100,7 @@ static int draw_step(ladder_step *step, const options *o, pictures *to)
     }
     if (!code)
         step->ram = baked_ram(&s);
+    code = code ? code : flash_estimate(&step->flash, &s, o);
     loaded_scene_close(&s);
     return code;
 }

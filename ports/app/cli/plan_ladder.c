@@ -19,11 +19,12 @@ static double millions(uint64_t n)
 
 static void print_csv(const set_ladder *ladder, uint64_t tick)
 {
-    puts("step,choices,frame_m,tick_m,ram,added,total,db");
+    puts("step,choices,frame_m,tick_m,ram,flash,added,total,db");
     for (uint32_t i = 0; i < ladder->count; i++) {
         const ladder_step *s = &ladder->step[i];
-        printf("%u,%s,%.2f,%.2f,%zu,%.2f,%.2f,%.1f\n", (unsigned)i, s->choices,
-               millions(s->price.cost), millions(tick), s->ram, s->added, s->total, s->db);
+        printf("%u,%s,%.2f,%.2f,%zu,%zu,%.2f,%.2f,%.1f\n", (unsigned)i, s->choices,
+               millions(s->price.cost), millions(tick), s->ram, s->flash, s->added, s->total,
+               s->db);
     }
 }
 
@@ -39,12 +40,12 @@ static void print_change(const ladder_step *before, const ladder_step *now)
 static void print_steps(const set_ladder *ladder, const loaded_scene *s, uint64_t tick)
 {
     printf("%s: a tick takes %.2f M instructions of a Cortex-M4 at every step\n\n"
-           "step  M instr  RAM KB  added  total     dB  what is cheaper\n",
+           "step  M instr  RAM KB  flash KB  added  total     dB  what is cheaper\n",
            s->file.name, millions(tick));
     for (uint32_t i = 0; i < ladder->count; i++) {
         const ladder_step *l = &ladder->step[i];
-        printf("%4u %8.2f %7zu %6.2f %6.2f %6.1f ", (unsigned)i, millions(l->price.cost),
-               l->ram / 1024, l->added, l->total, l->db);
+        printf("%4u %8.2f %7zu %9zu %6.2f %6.2f %6.1f ", (unsigned)i, millions(l->price.cost),
+               l->ram / 1024, l->flash / 1024, l->added, l->total, l->db);
         if (i)
             print_change(&ladder->step[i - 1], l);
         else
@@ -97,10 +98,10 @@ static void print_choices(const char *text)
 static void print_board_csv(const plan_board *b, uint32_t fps, uint64_t tick,
                             const ladder_step *step, bool real_time)
 {
-    puts("board,fps,real_time,choices,frame_m,tick_m,ram,added,db,speed_m");
-    printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%.2f,%.1f,%.1f\n", b->name, (unsigned)fps,
+    puts("board,fps,real_time,choices,frame_m,tick_m,ram,flash,added,db,speed_m");
+    printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%zu,%.2f,%.1f,%.1f\n", b->name, (unsigned)fps,
            real_time ? "yes" : "no", step->choices, millions(step->price.cost), millions(tick),
-           step->ram, step->added, step->db, millions(b->speed));
+           step->ram, step->flash, step->added, step->db, millions(b->speed));
 }
 
 /* Prints what makes ticks cheaper, where the scene's values allow it. */

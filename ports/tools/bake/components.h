@@ -82,6 +82,9 @@ const char *component_kind_name(size_t i);
 bool component_is_active(size_t i, const component_set *of, const component_terms *terms,
                          const tp_scene *scene, const tp_assets *assets);
 
+/* Writes the name of a component in the library, as "tp_stage_sky". */
+void component_symbol(size_t i, const component_terms *terms, char *symbol, size_t bytes);
+
 /* Writes the list as C text: NAME_program, preceded by its tables.  The program refuses
  * scenes with a module of `lacks` by the module's name. */
 void components_write(FILE *out, const char *name, const component_set *of,
