@@ -11,7 +11,7 @@
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/flash.sh"
 
-sizes=tests/budgets/code-sizes.csv table=ports/tools/bake/code_sizes.inc
+sizes=$flash_sizes table=ports/tools/bake/code_sizes.inc
 program=${TP_PROGRAM:-build/host/tidepool}
 
 # -- the files ------------------------------------------------------------------------
@@ -33,6 +33,7 @@ reached()
 # One line for all sections of the same pieces.
 grouped()
 {
+    echo "# compiler m4 arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpfullversion)"
     echo bytes,pieces
     awk '{
             section = $1 " " $2
@@ -42,14 +43,14 @@ grouped()
         END {
             for (section in by)
                 bytes[by[section] ~ /^base/ ? "base" : by[section]] += size[section]
-            for (pieces in bytes) print bytes[pieces] "," pieces
-        }' "$1" | LC_ALL=C sort -t, -k2
+            for (pieces in bytes) print bytes[pieces] "," pieces | "LC_ALL=C sort -t, -k2"
+        }' "$1"
 }
 as_c()          # CSV
 {
     echo "/* SPDX-License-Identifier: MIT */"
     echo "/* Made of $sizes by tests/budgets/code-sizes.sh --write. */"
-    awk -F, 'NR > 1 {
+    awk -F, '/^[0-9]/ {
         line = "{ " $1 ","
         n = split($2, piece, " ")
         for (i = 1; i <= n; i++) {
@@ -65,7 +66,7 @@ as_c()          # CSV
 }
 
 if [ "${1:-}" = --write ]; then
-    flash_ready || exit 77
+    flash_build || exit 77
     reached >"$scratch/reached" && grouped "$scratch/reached" >"$scratch/csv" &&
         cp "$scratch/csv" $sizes && as_c $sizes >"$scratch/inc" && cp "$scratch/inc" $table
     exit
@@ -73,19 +74,66 @@ fi
 
 # -- programs -------------------------------------------------------------------------
 
-estimated()     # BAKED.c: bytes of code and constants by the table
+flash_ready || { finish; exit; }
+
+made()          # CSV: the shipped table of C is made of it
+{
+    as_c "$1" >"$scratch/inc" && cmp "$scratch/inc" $table
+}
+check "the table of C is that of $sizes" made $sizes
+sed '3s/^[0-9]*/&0/' $sizes >"$scratch/other"
+refuse "a table of other sizes is found" made "$scratch/other"
+
+sized()         # CSV: all pieces that a list can name stand in it
+{
+    sed -n 's/^[0-9]*,//p' "$1" | tr ' ' '\n' | sort -u >"$scratch/sized"
+    pieces >"$scratch/pieces"
+    [ -s "$scratch/pieces" ] && ! comm -13 "$scratch/sized" "$scratch/pieces" | grep .
+}
+check "all pieces have sizes" sized $sizes
+grep -v tp_stage_sky $sizes >"$scratch/other"
+refuse "a table that lacks one is found" sized "$scratch/other"
+
+# estimated BAKED.c CSV: bytes of code and constants by the table
+estimated()
 {
     grep -o 'tp_[a-z0-9_]*' "$1" | sort -u | awk -F, '
         FILENAME == "-" { has[$1]; next }
-        FNR > 1 {
+        /^[0-9]/ {
             n = split($2, piece, " ")
             for (i = 1; i <= n && !(piece[i] in has || piece[i] == "base"); i++);
             if (i <= n) sum += $1
         }
-        END { print sum }' - $sizes
+        END { print sum }' - "$2"
 }
-linked()        # BAKED.o: those of the linked program
+# Code and constants of the program that was linked last, without its scene.
+code_linked()
 {
-    flash_link "$scratch/program" "$1" && awk -v files="$flash_files" \
-        -f tests/budgets/map.awk "$scratch/program.map" | awk '{ print $1 + $2 }'
+    awk -v files="$flash_files" -f tests/budgets/map.awk "$scratch/program.map" |
+        awk '{ print $1 + $2 }'
 }
+near()          # CSV: its sum is the code of the program linked last
+{
+    flash_near "$(estimated "$scratch/baked.c" "$1")" "$(code_linked)"
+}
+
+awk -F, -v OFS=, '/^[0-9]/ { $1 = int($1 * 1.01) } { print }' $sizes >"$scratch/other"
+one()           # SCENE [OPTION]...: its code is estimated
+{
+    check "a program links: $*" flash_of_baked "$@" >/dev/null
+    check "its code is that of the table: $*" near $sizes
+    refuse "a table of 1 % more code is found" near "$scratch/other"
+    [ -z "$TP_SOAK" ] || echo "  $* $(estimated "$scratch/baked.c" $sizes) $(code_linked)"
+}
+if [ -n "$TP_SOAK" ]; then
+    grep -v '^#\|^plain' tests/budgets/cheapest.txt >"$scratch/all"
+    sed -n 's/^\([a-z0-9-]*\)+.*| /\1 /p' tests/budgets/effects.txt >>"$scratch/all"
+    while read -r line; do
+        # shellcheck disable=SC2086
+        one $line
+    done <"$scratch/all"
+else
+    one pond --rung fast --set quality.dispersion=off
+    one calm-bay --step 4
+fi
+finish

@@ -9,7 +9,19 @@ flash_main=build/cortex-m/ports/cortex-m/main.o
 flash_arch="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
 flash_files='(libtidepool|libgcc)[.]a[(]|/memory[.]o'
 
-flash_ready()   # builds the library; false, with a message: no compiler
+flash_sizes=tests/budgets/code-sizes.csv
+
+# Builds the library; false, with a message: no compiler, or not that of the sizes.
+flash_ready()
+{
+    flash_build || return 1
+    want=$(sed -n 's/^# compiler m4 //p' $flash_sizes)
+    here="${want% *} $(arm-none-eabi-gcc -dumpfullversion)"
+    [ "$here" = "$want" ] && return
+    skip "flash by $want, here $here" "${want% *}"
+    return 1
+}
+flash_build()   # false, with a message: no compiler
 {
     lacks arm-none-eabi-gcc gcc-arm-none-eabi "the flash of programs" && return 1
     build -s BOARD=cortex-m $flash_lib $flash_memory $flash_main >"$scratch/log" 2>&1 ||
@@ -56,10 +68,19 @@ flash_of()              # ELF: its bytes
     arm-none-eabi-size "$1" | awk 'END { print $1 + $2 }'
 }
 
+# Fill between sections and the table of unwinding are not estimated: 128 bytes, and 1 in
+# 1000 for code changed since tests/budgets/code-sizes.csv was written.
+flash_near()            # ESTIMATE BYTES
+{
+    awk -v a="$1" -v b="$2" 'BEGIN { off = a > b ? a - b : b - a
+        if (b > 0 && off <= 128 + b / 1000) exit 0
+        print a " is not " b; exit 1 }'
+}
+
 # Bakes a program, as scenes-count.sh does, and links it: its bytes.
 flash_of_baked()        # SCENE [OPTION]...
 {
-    "$program" bake "$@" --name baked --size 320x240 --format rgb565 --no-input \
+    "$program" bake "$@" --name baked --size "${size:-320x240}" --format rgb565 --no-input \
         -o "$scratch/baked.c" </dev/null || return 1
     awk -v texels="$scratch/baked-texels.s" -f ports/tools/bake/texels.awk \
         "$scratch/baked.c" >"$scratch/baked-rest.c" &&

@@ -115,6 +115,21 @@ static void print_world(const loaded_scene *s, tp_processor processor)
                millions(world.rung[world.count - 1].cost.mean));
 }
 
+static void print_memory(const plan_board *b, const options *o, const ladder_step *step)
+{
+    const bool other = !b->own || b->priced_as != TP_PROCESSOR_M4;
+
+    printf("RAM %zu of %u KB, flash %zu of %u KB%s; tiles of %ux%u\n", step->ram / 1024,
+           (unsigned)b->ram / 1024, step->flash / 1024, (unsigned)b->flash / 1024,
+           other ? " with code of a Cortex-M4" : "",
+           (unsigned)o->strip ? (unsigned)o->strip : (unsigned)o->width,
+           (unsigned)o->band);
+    if (step->ram > b->ram)
+        puts("too much RAM: --band and --strip save some");
+    if (step->flash > b->flash)
+        puts("too much flash: --texels of bake saves some");
+}
+
 static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
                         uint64_t tick, const ladder_step *step, bool real_time)
 {
@@ -134,11 +149,7 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
         printf("ticks alone take %.0f M\n", millions(TICKS_A_SECOND * tick));
     printf("a picture %.2f M, a tick %.2f M instructions; off by %.2f of 255, %.1f dB\n",
            millions(step->price.cost), millions(tick), step->added, step->db);
-    printf("RAM %zu of %u KB in tiles of %ux%u%s\n", step->ram / 1024,
-           (unsigned)b->ram / 1024, (unsigned)o->strip ? (unsigned)o->strip
-                                                       : (unsigned)o->width,
-           (unsigned)o->band,
-           step->ram > b->ram ? ": too much; --band and --strip save some" : "");
+    print_memory(b, o, step);
     printf("%s\n    ", step->choices[0] ? "gives up:" : "gives up nothing");
     print_choices(step->choices);
     if (!real_time)

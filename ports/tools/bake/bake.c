@@ -193,7 +193,8 @@ static int run(loaded_scene *s, const options *o)
     bake_program program;
     code = bake_prepare(&s->assets.names, &s->file.scene, o, memory, made);
     if (!code && bake_has_program(o)) {
-        code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names);
+        code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names,
+                                 NULL);
         b.program = &program;
     }
     if (!code)

@@ -240,6 +240,15 @@ bool component_is_in_world(size_t i)
     return components[i].kind == COMPONENT_WATER || components[i].kind == COMPONENT_MODULE;
 }
 
+bool component_moves(size_t i)
+{
+    const tp_module *module = meanings[i].use.module;
+
+    return components[i].kind == COMPONENT_WATER
+           || (components[i].kind == COMPONENT_MODULE
+               && (module->bytes || module->init || module->settle || module->step));
+}
+
 component_set components_without(const component_set *out)
 {
     component_set all = { .has = { false } };

@@ -65,6 +65,10 @@ void components_add_models(component_set *set);
 /* True if a component belongs to the world: a wave model or a module. */
 bool component_is_in_world(size_t i);
 
+/* True if a component may change a world: a wave model, or a module with a state or a
+ * step. */
+bool component_moves(size_t i);
+
 static inline bool component_is_stage(size_t i)
 {
     return components[i].kind == COMPONENT_STAGE

@@ -113,7 +113,8 @@ static options options_for_search(const options *o)
     return small;
 }
 
-int flash_estimate(size_t *bytes, const loaded_scene *s, const options *o)
+int flash_estimate(size_t *bytes, const loaded_scene *s, const options *o,
+                   component_search_worlds *worlds)
 {
     const options small = options_for_search(o);
     const tp_assets *all = &s->assets.names;
@@ -124,7 +125,8 @@ int flash_estimate(size_t *bytes, const loaded_scene *s, const options *o)
     bake_program program;
     int code = bake_prepare(&names, &s->file.scene, o, memory, made);
 
-    code = code ? code : bake_find_program(&program, &small, &s->file.scene, all, &names);
+    code = code ? code : bake_find_program(&program, &small, &s->file.scene, all, &names,
+                                            worlds);
     code = code ? code : bake_list_pictures(&b, &names);
     if (!code)
         *bytes = flash_code_bytes(&program.found.in, &program.request.terms)
