@@ -42,7 +42,7 @@ if [ "$program" != --page ]; then
     [ $# -gt 0 ] || set -- $("$program" scenes | cut -d' ' -f1)
     mkdir -p "$folder"
     { printf scene,exact_m,world,world_m,
-      echo board,fps,real_time,choices,frame_m,tick_m,ram,added,db,speed_m; } \
+      echo board,fps,real_time,choices,frame_m,tick_m,ram,flash,added,db,speed_m; } \
         >"$folder/steps.csv"
     for scene; do
         echo "  $folder/$scene-board.png"
@@ -85,7 +85,7 @@ awk -F, -v board=$board -v fps=$fps -v tick=$tick '
     }
     {
         scene = $1; exact = $2; world = $3; world_m = $4; real_time = $7; choices = $8
-        frame = $9; tick_m = $10; db = $13; speed = $14
+        frame = $9; tick_m = $10; db = $14; speed = $15
         printf "\n## %s\n\n", scene
         printf "| exact: %s M instructions | %s: %s M, %s dB |\n", exact, board, frame, db
         print "|---|---|"

@@ -148,7 +148,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape ladder \
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count \
-                effects rung-prices rung-judge board-rungs processor-prices board-steps) \
+                effects rung-prices rung-judge board-rungs processor-prices board-steps \
+                code-sizes) \
 	    tests/charts/same.sh
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \
@@ -167,7 +168,7 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	    tests/charts/sweep.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
-                effects rung-judge board-rungs) \
+                effects rung-judge board-rungs code-sizes) \
 	    $(patsubst %,tests/host/%.sh,threads saves generators ladder \
                 furniture); scripts=$$?; \
 	$(SOAK) TP_BUILD=build/san tests/run.sh build/log/soak-sanitized \

@@ -20,14 +20,14 @@ set -- $(basename -s .ini assets/scenes/*.ini)
 check "the pictures are drawn" ports/board_steps.sh "$program" "$drawn" "$@"
 [ "$failed" = 0 ] || exit 1
 # Lines of the table.
-awk -F, 'NR > 1 { printf "| `%s` | %s | %s | %d | %s | %s |\n", $1, $9, $10, $11 / 1024,
-                      $13, $7 }' "$drawn/steps.csv" >"$scratch/table"
+awk -F, 'NR > 1 { printf "| `%s` | %s | %s | %d | %d | %s | %s |\n", $1, $9, $10,
+                      $11 / 1024, $12 / 1024, $14, $7 }' "$drawn/steps.csv" >"$scratch/table"
 if [ -n "$write" ]; then
     awk -v table="$scratch/table" '
         /<!-- board rungs/ {
             print
-            print "| scene | picture, M | tick, M | RAM, KB | dB | real time |"
-            print "|---|---|---|---|---|---|"
+            print "| scene | picture, M | tick, M | RAM, KB | flash, KB | dB | real time |"
+            print "|---|---|---|---|---|---|---|"
             while ((getline line <table) > 0) print line
             skip = 1; next
         }

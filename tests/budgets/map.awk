@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Parts of the core that a program links, from ld's map: bytes of text and of constants.
 #
-#   awk [-v each=1] -f tests/budgets/map.awk PROGRAM.map
+#   awk [-v each=1] [-v files=PATTERN] -f tests/budgets/map.awk PROGRAM.map
 #
 # With each=1 prints each section; sort by the second column to get the largest first.
+# files: counts other files than those of the core.
 function number(hex,    i, n)
 {
     for (i = 3; i <= length(hex); i++)
@@ -11,6 +12,7 @@ function number(hex,    i, n)
     return n
 }
 
+BEGIN { if (files == "") files = "libtidepool[.]a[(]" }
 /^Linker script and memory map/ { mapped = 1 }
 !mapped { next }
 
@@ -35,7 +37,7 @@ function take(next_at)
 /^ \*fill\* / { take($2) }
 /^ +0x[0-9a-f]+ +0x[0-9a-f]+ / {
     take($1)
-    name = /libtidepool\.a\(/ && long ~ /^\.(text|rodata)/ ? long : ""
+    name = $0 ~ files && long ~ /^\.(text|rodata)/ ? long : ""
     at = $1
     size = number($2)
     file = $3

@@ -3,10 +3,12 @@
 # tidepool plan --ladder and --board: the printed errors are those of the pictures that
 # `render --step` draws, the total is that against the reference; costs fall from step to
 # step; choices drawn by --set are the step's picture; a board gets the step that it holds.
+# The flash printed is that of the step's baked program, linked for a Cortex-M4.
 # With TP_SOAK set every step of three scenes is drawn, else the first, the last and one
 # between.
 #     ladder.sh PROGRAM
 . "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/flash.sh"
 
 program=$(realpath "$1")
 rms=build/host/tests/host/picture_rms reference=build/host/reference
@@ -34,20 +36,20 @@ off()           # NAME OF: rms and dB of two pairs of pictures
 falls()         # the first step is exact, each further one is cheaper
 {
     head -n 1 "$scratch/csv" |
-        grep -qx 'step,choices,frame_m,tick_m,ram,added,total,db' &&
-        awk -F, 'NR == 2 && ($1 != 0 || $2 != "" || $6 != 0 || $8 != 99) { exit bad = 1 }
+        grep -qx 'step,choices,frame_m,tick_m,ram,flash,added,total,db' &&
+        awk -F, 'NR == 2 && ($1 != 0 || $2 != "" || $7 != 0 || $9 != 99) { exit bad = 1 }
             NR > 2 && ($1 != last + 1 || $3 > cost) { print; exit bad = 1 }
-            NR > 1 { last = $1; cost = $3; if (NF != 8) exit bad = 1 }
+            NR > 1 { last = $1; cost = $3; if (NF != 9) exit bad = 1 }
             END { exit bad || NR < 5 }' "$scratch/csv"
 }
 is_printed()    # STEP: added and dB
 {
-    drawn "step" --step "$1" && is "$(off step exact)" "$(listed "$1" 6) $(listed "$1" 8)"
+    drawn "step" --step "$1" && is "$(off step exact)" "$(listed "$1" 7) $(listed "$1" 9)"
 }
 is_total()      # STEP: rms against the reference's pictures
 {
     drawn "step" --step "$1" && set -- "$1" "$(off step reference)" &&
-        is "${2% *}" "$(listed "$1" 7)"
+        is "${2% *}" "$(listed "$1" 8)"
 }
 is_by_set()     # STEP: its choices, as settings, draw the same pictures
 {
@@ -57,6 +59,11 @@ is_by_set()     # STEP: its choices, as settings, draw the same pictures
     drawn set --rung exact "$@" && drawn step --step "$step" &&
         is "$(off set step)" "0.00 99.0"
 }
+is_linked()     # STEP: its flash is that of the linked program
+{
+    bytes=$(flash_of_baked "$scene" --step "$1") || return 1
+    flash_near "$(listed "$1" 6)" "$bytes"
+}
 referenced()    # the reference's pictures
 {
     for tick in 60 300; do
@@ -65,6 +72,8 @@ referenced()    # the reference's pictures
     done
 }
 
+links=
+flash_ready && links=1
 for scene in minimal lava tank; do
     check "$scene: its ladder is printed" sh -c \
         "'$program' plan $scene --ladder --csv --size $size >'$scratch/csv'"
@@ -73,6 +82,9 @@ for scene in minimal lava tank; do
     last=$(($(wc -l <"$scratch/csv") - 2))
     for step in $( [ -n "$TP_SOAK" ] && seq 0 $last || echo 0 $((last / 2)) $last); do
         check "$scene, step $step: the errors are those printed" is_printed "$step"
+        [ -z "$links" ] ||
+            check "$scene, step $step: flash is that of the linked program" \
+                is_linked "$step"
     done
     check "$scene, step $last: --set with its choices draws it" is_by_set $last
 done

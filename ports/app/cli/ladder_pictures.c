@@ -5,6 +5,7 @@
 #include <string.h>
 #include "app/files/timing.h"
 #include "frame/tools.h"
+#include "tools/bake/flash.h"
 #include "tools/reference/image.h"
 
 enum { PICTURES = 2, BAND = 16, THREADS = 2 };
@@ -85,8 +86,9 @@ static size_t baked_ram(const loaded_scene *s)
          + tp_frame_scratch_bytes(&config, &s->file.scene) + s->world_bytes;
 }
 
-/* Draws the pictures of a step. */
-static int draw_step(ladder_step *step, const options *o, pictures *to)
+/* Draws the pictures of a step; worlds: sets its flash too. */
+static int draw_step(ladder_step *step, const options *o, pictures *to,
+                     component_search_worlds *worlds)
 {
     loaded_scene s;
     int code = open_step(&s, o, step);
@@ -99,6 +101,8 @@ static int draw_step(ladder_step *step, const options *o, pictures *to)
     }
     if (!code)
         step->ram = baked_ram(&s);
+    if (!code && worlds)
+        code = flash_estimate(&step->flash, &s, o, worlds);
     loaded_scene_close(&s);
     return code;
 }
@@ -153,22 +157,24 @@ int ladder_pictures_measure(ladder_step *step, uint32_t count, const options *o,
     static const tp_rung_set none = { .of = { 0 } };
     const size_t pixels = (size_t)o->width * o->height;
     ladder_step first = { .set = none };
+    component_search_worlds worlds = { .known = false };
     pictures exact = { { NULL } }, drawn = { { NULL } }, truth = { { NULL } };
     progress p = progress_begin();
     int code = pictures_take(&exact, pixels) && pictures_take(&drawn, pixels)
                        && pictures_take(&truth, pixels)
                    ? EXIT_DONE : log_fail_memory(6 * pixels * 4);
 
-    code = code ? code : draw_step(&first, o, &exact);
+    code = code ? code : draw_step(&first, o, &exact, NULL);
     if (reference && !code)
         code = draw_reference(o, &first, &truth);
     for (uint32_t i = 0; i < count && !code; i++) {
         progress_show(&p, i, count);
-        code = draw_step(&step[i], o, &drawn);
+        code = draw_step(&step[i], o, &drawn, &worlds);
         measure_against(&step[i], &exact, &drawn, pixels);
         step[i].total = reference ? total_error(&truth, &drawn, pixels) : -1;
     }
     log_progress("");
+    dry_run_close(&worlds.run);
     pictures_free(&exact);
     pictures_free(&drawn);
     pictures_free(&truth);

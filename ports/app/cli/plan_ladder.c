@@ -19,11 +19,12 @@ static double millions(uint64_t n)
 
 static void print_csv(const set_ladder *ladder, uint64_t tick)
 {
-    puts("step,choices,frame_m,tick_m,ram,added,total,db");
+    puts("step,choices,frame_m,tick_m,ram,flash,added,total,db");
     for (uint32_t i = 0; i < ladder->count; i++) {
         const ladder_step *s = &ladder->step[i];
-        printf("%u,%s,%.2f,%.2f,%zu,%.2f,%.2f,%.1f\n", (unsigned)i, s->choices,
-               millions(s->price.cost), millions(tick), s->ram, s->added, s->total, s->db);
+        printf("%u,%s,%.2f,%.2f,%zu,%zu,%.2f,%.2f,%.1f\n", (unsigned)i, s->choices,
+               millions(s->price.cost), millions(tick), s->ram, s->flash, s->added, s->total,
+               s->db);
     }
 }
 
@@ -39,12 +40,12 @@ static void print_change(const ladder_step *before, const ladder_step *now)
 static void print_steps(const set_ladder *ladder, const loaded_scene *s, uint64_t tick)
 {
     printf("%s: a tick takes %.2f M instructions of a Cortex-M4 at every step\n\n"
-           "step  M instr  RAM KB  added  total     dB  what is cheaper\n",
+           "step  M instr  RAM KB  flash KB  added  total     dB  what is cheaper\n",
            s->file.name, millions(tick));
     for (uint32_t i = 0; i < ladder->count; i++) {
         const ladder_step *l = &ladder->step[i];
-        printf("%4u %8.2f %7zu %6.2f %6.2f %6.1f ", (unsigned)i, millions(l->price.cost),
-               l->ram / 1024, l->added, l->total, l->db);
+        printf("%4u %8.2f %7zu %9zu %6.2f %6.2f %6.1f ", (unsigned)i, millions(l->price.cost),
+               l->ram / 1024, l->flash / 1024, l->added, l->total, l->db);
         if (i)
             print_change(&ladder->step[i - 1], l);
         else
@@ -97,10 +98,10 @@ static void print_choices(const char *text)
 static void print_board_csv(const plan_board *b, uint32_t fps, uint64_t tick,
                             const ladder_step *step, bool real_time)
 {
-    puts("board,fps,real_time,choices,frame_m,tick_m,ram,added,db,speed_m");
-    printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%.2f,%.1f,%.1f\n", b->name, (unsigned)fps,
+    puts("board,fps,real_time,choices,frame_m,tick_m,ram,flash,added,db,speed_m");
+    printf("%s,%u,%s,%s,%.2f,%.2f,%zu,%zu,%.2f,%.1f,%.1f\n", b->name, (unsigned)fps,
            real_time ? "yes" : "no", step->choices, millions(step->price.cost), millions(tick),
-           step->ram, step->added, step->db, millions(b->speed));
+           step->ram, step->flash, step->added, step->db, millions(b->speed));
 }
 
 /* Prints what makes ticks cheaper, where the scene's values allow it. */
@@ -112,6 +113,21 @@ static void print_world(const loaded_scene *s, tp_processor processor)
         printf("cheaper ticks, by values of the scene (--set):\n    %s: %.2f M\n",
                world.rung[world.count - 1].text,
                millions(world.rung[world.count - 1].cost.mean));
+}
+
+static void print_memory(const plan_board *b, const options *o, const ladder_step *step)
+{
+    const bool other = !b->own || b->priced_as != TP_PROCESSOR_M4;
+
+    printf("RAM %zu of %u KB, flash %zu of %u KB%s; tiles of %ux%u\n", step->ram / 1024,
+           (unsigned)b->ram / 1024, step->flash / 1024, (unsigned)b->flash / 1024,
+           other ? " with code of a Cortex-M4" : "",
+           (unsigned)o->strip ? (unsigned)o->strip : (unsigned)o->width,
+           (unsigned)o->band);
+    if (step->ram > b->ram)
+        puts("too much RAM: --band and --strip save some");
+    if (step->flash > b->flash)
+        puts("too much flash: --texels of bake saves some");
 }
 
 static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
@@ -133,11 +149,7 @@ static void print_board(const loaded_scene *s, const options *o, uint32_t fps,
         printf("ticks alone take %.0f M\n", millions(TICKS_A_SECOND * tick));
     printf("a picture %.2f M, a tick %.2f M instructions; off by %.2f of 255, %.1f dB\n",
            millions(step->price.cost), millions(tick), step->added, step->db);
-    printf("RAM %zu of %u KB in tiles of %ux%u%s\n", step->ram / 1024,
-           (unsigned)b->ram / 1024, (unsigned)o->strip ? (unsigned)o->strip
-                                                       : (unsigned)o->width,
-           (unsigned)o->band,
-           step->ram > b->ram ? ": too much; --band and --strip save some" : "");
+    print_memory(b, o, step);
     printf("%s\n    ", step->choices[0] ? "gives up:" : "gives up nothing");
     print_choices(step->choices);
     if (!real_time)

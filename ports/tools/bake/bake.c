@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* tidepool bake: writes a scene and all files that it names as one file of constant C, for
  * machines without files. */
-#include "bake.h"
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -12,56 +11,13 @@
 #include "app/files/log.h"
 #include "app/files/output_file.h"
 #include "app/scene/loaded_scene.h"
+#include "bake_assets.h"
 #include "bake_program.h"
-#include "features/water/water.h"
-#include "frame/tools.h"
 
 #define IDENTIFIER_BYTES 48
 
-/* The textures and grey maps in tp_assets: member in C, part of the baked name, offset. */
-static const struct { const char *member, *part; size_t offset; } pictures[] = {
-    { "layer[0]", "layer0", offsetof(tp_assets, layer[0]) },
-    { "layer[1]", "layer1", offsetof(tp_assets, layer[1]) },
-    { "layer[2]", "layer2", offsetof(tp_assets, layer[2]) },
-    { "distortion", "distortion", offsetof(tp_assets, distortion) },
-    { "ripple", "ripple", offsetof(tp_assets, ripple) },
-    { "foam", "foam", offsetof(tp_assets, foam) },
-    { "baked_layer[0]", "baked_layer0", offsetof(tp_assets, baked_layer[0]) },
-    { "baked_layer[1]", "baked_layer1", offsetof(tp_assets, baked_layer[1]) },
-    { "baked_layer[2]", "baked_layer2", offsetof(tp_assets, baked_layer[2]) },
-    { "baked_offset", "baked_offset", offsetof(tp_assets, baked_offset) },
-    { "baked_slope", "baked_slope", offsetof(tp_assets, baked_slope) },
-    { "sky[0]", "sky_east", offsetof(tp_assets, sky[0]) },
-    { "sky[1]", "sky_west", offsetof(tp_assets, sky[1]) },
-    { "sky[2]", "sky_up", offsetof(tp_assets, sky[2]) },
-    { "sky[3]", "sky_down", offsetof(tp_assets, sky[3]) },
-    { "sky[4]", "sky_south", offsetof(tp_assets, sky[4]) },
-    { "sky[5]", "sky_north", offsetof(tp_assets, sky[5]) },
-    { "tank_wall", "tank_wall", offsetof(tp_assets, tank_wall) },
-    { "tank_floor", "tank_floor", offsetof(tp_assets, tank_floor) },
-    { "floor_texture", "floor_texture", offsetof(tp_assets, floor_texture) },
-}, greys[] = {
-    { "floor", "floor", offsetof(tp_assets, floor) },
-    { "pool_mask", "pool_mask", offsetof(tp_assets, pool_mask) },
-    { "field_mask", "field_mask", offsetof(tp_assets, field_mask) },
-};
-
-enum {
-    PICTURES = sizeof pictures / sizeof *pictures,
-    GREYS = sizeof greys / sizeof *greys
-};
-
-static const tp_texture *nth_texture(const tp_assets *names, int i)
-{
-    const void *at = (const char *)names + pictures[i].offset;
-    return *(const tp_texture *const *)at;
-}
-
-static const tp_grey *nth_grey(const tp_assets *names, int i)
-{
-    const void *at = (const char *)names + greys[i].offset;
-    return *(const tp_grey *const *)at;
-}
+/* The size of picture assumed for the plan, a board's. */
+enum { WIDTH = 320, HEIGHT = 240 };
 
 /* -- names --------------------------------------------------------------------------- */
 
@@ -92,34 +48,6 @@ static void make_identifier(const char *file, char name[IDENTIFIER_BYTES])
     name[IDENTIFIER_BYTES - 1] = '\0';
 }
 
-/* -- the list of pictures ------------------------------------------------------------ */
-
-static void add_picture(bake *b, const tp_texture *texture, const char *part, uint32_t i)
-{
-    if (!texture || bake_find(b, texture))
-        return;
-    bake_picture *p = &b->pictures[b->n_pictures++];
-    p->texture = texture;
-    snprintf(p->name, sizeof p->name, i == UINT32_MAX ? "%s" : "%s%" PRIu32,
-             part, i);
-}
-
-static int list_pictures(bake *b, const tp_assets *names)
-{
-    const tp_mesh *boat = names->boat;
-    const uint32_t materials = boat ? boat->n_materials : 0;
-    b->pictures = calloc(PICTURES + 2 * (size_t)materials, sizeof *b->pictures);
-    if (!b->pictures)
-        return log_fail_memory((PICTURES + 2 * (size_t)materials) * sizeof *b->pictures);
-    for (int i = 0; i < PICTURES; i++)
-        add_picture(b, nth_texture(names, i), pictures[i].part, UINT32_MAX);
-    for (uint32_t i = 0; i < materials; i++) {
-        add_picture(b, boat->materials[i].diffuse_map, "boat_diffuse", i);
-        add_picture(b, boat->materials[i].normal_map, "boat_normal", i);
-    }
-    return EXIT_DONE;
-}
-
 /* -- the file's head ----------------------------------------------------------------- */
 
 /* Prints text inside a comment: characters that could end or begin a comment, or continue a
@@ -148,9 +76,9 @@ static void put_contents(const bake *b, const tp_assets *names)
                  1u << t->log2_h);
         put_bytes(b->out, &sum, bake_texture_bytes(t), text);
     }
-    for (int i = 0; i < GREYS; i++)
-        if (nth_grey(names, i))
-            put_bytes(b->out, &sum, bake_grey_bytes(nth_grey(names, i)), greys[i].part);
+    for (int i = 0; i < BAKE_GREYS; i++)
+        if (bake_nth_grey(names, i))
+            put_bytes(b->out, &sum, bake_grey_bytes(bake_nth_grey(names, i)), bake_greys[i].part);
     if (names->boat)
         put_bytes(b->out, &sum, bake_mesh_bytes(names->boat), "boat, without pictures");
     fprintf(b->out, " * %9zu  together", sum);
@@ -197,16 +125,16 @@ static void put_assets(const bake *b, const tp_assets *names)
         fprintf(b->out, "    .boat = &%s_boat,\n", b->name);
     else
         fprintf(b->out, "    .boat = 0,\n");
-    for (int i = 0; i < PICTURES; i++) {
-        const bake_picture *p = bake_find(b, nth_texture(names, i));
+    for (int i = 0; i < BAKE_PICTURES; i++) {
+        const bake_picture *p = bake_find(b, bake_nth_texture(names, i));
         if (p)
-            fprintf(b->out, "    .%s = &%s_%s,\n", pictures[i].member, b->name,
+            fprintf(b->out, "    .%s = &%s_%s,\n", bake_members[i].member, b->name,
                     p->name);
     }
-    for (int i = 0; i < GREYS; i++)
-        if (nth_grey(names, i))
-            fprintf(b->out, "    .%s = &%s_%s,\n", greys[i].member, b->name,
-                    greys[i].part);
+    for (int i = 0; i < BAKE_GREYS; i++)
+        if (bake_nth_grey(names, i))
+            fprintf(b->out, "    .%s = &%s_%s,\n", bake_greys[i].member, b->name,
+                    bake_greys[i].part);
     fprintf(b->out, "};\n");
 }
 
@@ -216,71 +144,15 @@ static void put_all(const bake *b, const options *o, const loaded_scene *s)
     put_head(b, o, s);
     for (uint32_t i = 0; i < b->n_pictures; i++)
         bake_texture(b, &b->pictures[i]);
-    for (int i = 0; i < GREYS; i++)
-        if (nth_grey(names, i))
-            bake_grey(b, greys[i].part, nth_grey(names, i));
+    for (int i = 0; i < BAKE_GREYS; i++)
+        if (bake_nth_grey(names, i))
+            bake_grey(b, bake_greys[i].part, bake_nth_grey(names, i));
     if (names->boat)
         bake_mesh(b, "boat", names->boat);
     bake_scene(b, b->program ? &b->program->scene : &s->file.scene);
     put_assets(b, names);
     if (b->program)
         bake_put_program(b->program, b->out, b->name);
-}
-
-/* -- baked layers of fast shading ---------------------------------------------------- */
-
-/* The size of picture assumed for the plan, a board's. */
-enum { WIDTH = 320, HEIGHT = 240 };
-
-/* True if nothing reads the layers after baking: all water is drawn by fast stages, and no
- * exposure meter reads the first layer.  The texture of ripples stays: the surface from
- * below needs the texture. */
-static bool is_all_quick(const tp_scene *scene, const tp_assets *names, const options *o)
-{
-    uint32_t open;
-    tp_view_costs view;
-    const tp_rung_set set = tp_rung_set_named(scene, false, &open);
-
-    return scene->hdr.exposure == TP_EXPOSURE_FIXED
-           && tp_plan_view(&view, scene, names, o->width, o->height)
-           && tp_set_is_fast(&view, &set);
-}
-
-static const tp_texture **baked_texture_slot(tp_assets *names, int i)
-{
-    return i < TP_LAYERS ? &names->baked_layer[i] : i == TP_LAYERS ? &names->baked_offset
-                                                              : &names->baked_slope;
-}
-
-/* Drops the layers that only exact stages read, and only from above the water. */
-static void drop_layers(tp_assets *names)
-{
-    for (int i = 0; i < TP_LAYERS; i++)
-        names->layer[i] = NULL;
-    names->distortion = NULL;
-}
-
-/* Adds baked layers to *names.  `memory` and `made` hold them; the caller frees memory. */
-static int prepare(tp_assets *names, const tp_scene *scene, const options *o,
-                   void *memory[TP_BAKED_LAYERS], tp_texture made[TP_BAKED_LAYERS])
-{
-    const tp_assets from = *names;
-
-    if (scene->quality.shading != TP_SHADING_QUICK)
-        return EXIT_DONE;
-    for (int i = 0; i < TP_BAKED_LAYERS; i++) {
-        const size_t bytes = tp_baked_layer_bytes(&from, i);
-        if (bytes == 0)
-            continue;
-        memory[i] = malloc(bytes);
-        if (!memory[i])
-            return log_fail_memory(bytes);
-        tp_bake_layer(&made[i], scene, &from, i, memory[i]);
-        *baked_texture_slot(names, i) = &made[i];
-    }
-    if (is_all_quick(scene, &from, o))
-        drop_layers(names);
-    return EXIT_DONE;
 }
 
 /* -- the command --------------------------------------------------------------------- */
@@ -319,13 +191,14 @@ static int run(loaded_scene *s, const options *o)
     make_identifier(o->name ? o->name : s->file.name, name);
     const tp_assets all = s->assets.names;
     bake_program program;
-    code = prepare(&s->assets.names, &s->file.scene, o, memory, made);
+    code = bake_prepare(&s->assets.names, &s->file.scene, o, memory, made);
     if (!code && bake_has_program(o)) {
-        code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names);
+        code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names,
+                                 NULL);
         b.program = &program;
     }
     if (!code)
-        code = list_pictures(&b, &s->assets.names);
+        code = bake_list_pictures(&b, &s->assets.names);
     if (!code)
         code = write_file(&b, o, s);
     free(b.pictures);

@@ -94,7 +94,8 @@ static int tell_lacks(const component_search_result *found, bool strict)
 }
 
 int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
-                      const tp_assets *assets, tp_assets *baked)
+                      const tp_assets *assets, tp_assets *baked,
+                      component_search_worlds *worlds)
 {
     component_search_request *request = &p->request;
 
@@ -112,6 +113,7 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
          * program has room for waves beyond the scene's own. */
         .terms = { o->format, o->stream, !o->with, o->with != NULL },
         .acts = !o->no_input,
+        .worlds = worlds,
     };
     int code = read_pieces(&request->with, "--with", o->with);
     if (!code)

@@ -21,9 +21,11 @@ bool bake_has_program(const options *o);
 int  bake_check_options(const options *o);
 
 /* Finds the list.  baked: assets of the file; assets that the list never reads are dropped.
+ * worlds: those of an earlier list, or NULL.
  * Returns an exit code, and prints the reason of a failure. */
 int  bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
-                       const tp_assets *assets, tp_assets *baked);
+                       const tp_assets *assets, tp_assets *baked,
+                       component_search_worlds *worlds);
 
 /* Write the components as lines of the file's head, and the list. */
 void bake_put_pieces(const bake_program *p, FILE *out);

@@ -27,6 +27,7 @@ typedef struct {
     uint32_t        moved_for;      /* ... through so many moments */
     uint32_t        moments;        /* moments compared at each step of the search */
     component_list  list;
+    bool            shared;         /* the run is that of request->worlds */
     bool            lean;           /* draw with the reduced assets */
     int             code;           /* error that stopped the search */
 } component_search;
@@ -52,12 +53,22 @@ static bool moves_as(const component_set *a, const component_set *b)
     return true;
 }
 
+static bool has_moving(const component_set *set, const component_set *moving)
+{
+    for (size_t i = 0; i < component_count; i++)
+        if (moving->has[i] && !set->has[i])
+            return false;
+    return true;
+}
+
 /* True if a program steps the worlds as all components do through the first moments.
  * Stepping is slow: a set with the same moving components as the last set is not stepped
  * again. */
 static bool moves_same(component_search *s, const component_set *set,
                        const dry_run_program *by, uint32_t moments)
 {
+    if (s->shared)
+        return has_moving(set, &s->request->worlds->moving);
     if (s->moved_for >= moments && moves_as(set, &s->moved))
         return true;
     if (!dry_run_moves_same(&s->run, by, moments))
@@ -278,6 +289,20 @@ static component_set refused_modules(const component_search_request *request,
 
 /* -- the search ---------------------------------------------------------------------- */
 
+/* Takes known worlds if the scene's begin as they do. */
+static int open_run(component_search *s)
+{
+    const component_search_request *request = s->request;
+    const dry_run_program by = { &s->list.program, request->scene, request->assets };
+
+    s->shared = request->worlds && request->worlds->known
+                && dry_run_moves_same(&request->worlds->run, &by, 1);
+    if (!s->shared)
+        return dry_run_open(&s->run, &by, &request->config, request->acts);
+    s->run = request->worlds->run;
+    return EXIT_DONE;
+}
+
 static int open_search(component_search *s, const component_search_request *request)
 {
     const component_set all = components_without(&request->without);
@@ -287,9 +312,7 @@ static int open_search(component_search *s, const component_search_request *requ
     s->moved = all;
     s->moved_for = UINT32_MAX;
     components_list(list, &all, &request->terms);
-    int code = dry_run_open(
-        &s->run, &(dry_run_program){ &list->program, request->scene, request->assets },
-        &request->config, request->acts);
+    int code = open_run(s);
     if (code)
         return code;
     s->want = calloc(s->run.cameras, sizeof *s->want);
@@ -303,9 +326,25 @@ static int open_search(component_search *s, const component_search_request *requ
         NULL, s->run.cameras, s->want, NULL, NULL);
 }
 
-static void close_search(component_search *s)
+/* Keeps the run for later searches if they are to take it, else closes it. */
+static void close_run(component_search *s, bool found)
 {
-    dry_run_close(&s->run);
+    component_search_worlds *worlds = s->request->worlds;
+
+    if (s->shared)
+        return;
+    if (!worlds || worlds->known || !found) {
+        dry_run_close(&s->run);
+        return;
+    }
+    *worlds = (component_search_worlds){ .known = true, .run = s->run };
+    for (size_t i = 0; i < component_count; i++)
+        worlds->moving.has[i] = s->in.has[i] && component_moves(i);
+}
+
+static void close_search(component_search *s, bool found)
+{
+    close_run(s, found);
     free(s->want);
     free(s->few);
 }
@@ -327,6 +366,6 @@ int component_search_run(component_search_result *found,
                                         .refused = refused_modules(request, &s.in),
                                         .lean = s.lean,
                                         .pictures = s.run.cameras };
-    close_search(&s);
+    close_search(&s, !code);
     return code;
 }

@@ -7,6 +7,14 @@
 #include "dry_run.h"
 #include "tidepool/frame.h"
 
+/* The worlds of a search, for searches of scenes that differ by rungs only: rungs never
+ * change the world. */
+typedef struct {
+    bool      known;
+    dry_run   run;              /* the caller closes it */
+    component_set moving;       /* with these components the worlds move right */
+} component_search_worlds;
+
 typedef struct {
     const tp_scene  *scene;     /* with all rungs named */
     const tp_assets *assets;
@@ -17,6 +25,7 @@ typedef struct {
     component_set    with;      /* components that stay in any case */
     component_set    without;   /* components that are left out in any case */
     bool             acts;
+    component_search_worlds *worlds;    /* taken if known, else set; NULL: not kept */
 } component_search_request;
 
 typedef struct {

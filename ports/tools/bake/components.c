@@ -240,6 +240,15 @@ bool component_is_in_world(size_t i)
     return components[i].kind == COMPONENT_WATER || components[i].kind == COMPONENT_MODULE;
 }
 
+bool component_moves(size_t i)
+{
+    const tp_module *module = meanings[i].use.module;
+
+    return components[i].kind == COMPONENT_WATER
+           || (components[i].kind == COMPONENT_MODULE
+               && (module->bytes || module->init || module->settle || module->step));
+}
+
 component_set components_without(const component_set *out)
 {
     component_set all = { .has = { false } };
@@ -272,19 +281,29 @@ static const char *piece_symbol(size_t i, const component_terms *terms)
     return name;
 }
 
+void component_symbol(size_t i, const component_terms *terms, char *symbol, size_t bytes)
+{
+    const component_kind kind = components[i].kind;
+    if (kind == COMPONENT_MODULE || kind == COMPONENT_DRAWING)
+        snprintf(symbol, bytes, "tp_%s_%s", components[i].name, component_kind_name(i));
+    else
+        snprintf(symbol, bytes, "tp_%s_%s", component_kind_name(i), piece_symbol(i, terms));
+}
+
 /* Writes "    .water = { .swells = &tp_water_swells }," or nothing. */
 static void write_kind(FILE *out, const component_set *of, const component_terms *terms,
                        component_kind kind)
 {
     const char *before = " ";
     for (size_t i = 0, n = 0; i < component_count; i++) {
+        char symbol[64];
         if (components[i].kind != kind || !of->has[i])
             continue;
         if (n++ == 0)
             fprintf(out, "    .%s = {", component_kind_name(i));
-        fprintf(out, "%s\n        .%s = %stp_%s_%s", n > 1 ? "," : "", components[i].name,
-                kind == COMPONENT_STAGE ? "" : "&", component_kind_name(i),
-                piece_symbol(i, terms));
+        component_symbol(i, terms, symbol, sizeof symbol);
+        fprintf(out, "%s\n        .%s = %s%s", n > 1 ? "," : "", components[i].name,
+                kind == COMPONENT_STAGE ? "" : "&", symbol);
         before = "\n    },\n";
     }
     if (*before == '\n')

@@ -65,6 +65,10 @@ void components_add_models(component_set *set);
 /* True if a component belongs to the world: a wave model or a module. */
 bool component_is_in_world(size_t i);
 
+/* True if a component may change a world: a wave model, or a module with a state or a
+ * step. */
+bool component_moves(size_t i);
+
 static inline bool component_is_stage(size_t i)
 {
     return components[i].kind == COMPONENT_STAGE
@@ -81,6 +85,9 @@ const char *component_kind_name(size_t i);
  * program. */
 bool component_is_active(size_t i, const component_set *of, const component_terms *terms,
                          const tp_scene *scene, const tp_assets *assets);
+
+/* Writes the name of a component in the library, as "tp_stage_sky". */
+void component_symbol(size_t i, const component_terms *terms, char *symbol, size_t bytes);
 
 /* Writes the list as C text: NAME_program, preceded by its tables.  The program refuses
  * scenes with a module of `lacks` by the module's name. */

@@ -112,14 +112,19 @@ typedef struct {
     int64_t x, y, z;
 } way;
 
+/* Returns n halved `shift` times, towards 0. */
+static int64_t halve(int64_t n, int shift)
+{
+    return n < 0 ? -(-n >> shift) : n >> shift;
+}
+
 /* Returns the way from vertex a to vertex b, halved until it is below 2^15. */
 static way find_way(const tp_mesh *mesh, uint32_t a, uint32_t b, int shift)
 {
     const tp_vec3 p = mesh->vertices[a].position, q = mesh->vertices[b].position;
-    const int64_t by = (int64_t)1 << shift;
 
-    return (way){ ((int64_t)q.x - p.x) / by, ((int64_t)q.y - p.y) / by,
-                  ((int64_t)q.z - p.z) / by };
+    return (way){ halve((int64_t)q.x - p.x, shift), halve((int64_t)q.y - p.y, shift),
+                  halve((int64_t)q.z - p.z, shift) };
 }
 
 static int64_t measure_length(way w)
