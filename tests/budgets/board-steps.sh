@@ -53,7 +53,12 @@ counted()       # SCENE: prints SCENE, M of a picture and a tick: planned, count
     tests/charts/board.sh m0 "$board-$1" 320x240 60 '' 61 >"$scratch/$1.counts" &&
         cycles_of "$1" &&
         awk -F'[, ]' -v scene="$1" '
-            FILENAME ~ /csv$/ { frame = $(NF - 4); tick = $(NF - 3); db = $NF }
+            FILENAME ~ /csv$/ {
+                n = split($0, cell, ",")
+                for (i = 1; i <= n; i++) if (FNR == 1) column[cell[i]] = i
+                frame = cell[column["frame_m"]]; tick = cell[column["tick_m"]]
+                db = cell[column["db"]]
+            }
             FILENAME ~ /counts$/ { pictures++; ticks += $6; frames += $7 + $8 }
             FILENAME ~ /cycles$/ && $2 != "tick" { instructions += $3; cycles += $4 }
             END { printf "%s %.2f %.2f %.2f %.2f %.3f %s\n", scene, frame,
