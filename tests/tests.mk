@@ -168,7 +168,8 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	    tests/charts/sweep.sh \
 	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
-                effects rung-judge board-rungs code-sizes) \
+                effects rung-judge board-rungs code-sizes \
+                processor-prices) \
 	    $(patsubst %,tests/host/%.sh,threads saves generators ladder \
                 furniture); scripts=$$?; \
 	$(SOAK) TP_BUILD=build/san tests/run.sh build/log/soak-sanitized \

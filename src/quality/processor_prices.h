@@ -5,9 +5,9 @@
 #define TP_QUALITY_PROCESSOR_PRICES_H
 #include "quality/rung_sets.h"
 
-/* Instructions of a Cortex-M0+ for one of a Cortex-M4, by part, Q8, for exact and for fast
- * shading. */
-extern const uint16_t tp_m0plus_factors[TP_SHADINGS][TP_PART_COUNT];
+/* Instructions of a Cortex-M0+ for one of a Cortex-M4, by the set's shading and by part,
+ * Q8. */
+extern const uint16_t tp_m0plus_factors[TP_SHADED_COUNT][TP_PART_COUNT];
 
 /* Sets the costs of a set's parts for the view's processor, and returns the set's mean
  * square error, as tp_set_price. */

@@ -291,7 +291,7 @@ uint64_t tp_set_part_costs(const tp_view_costs *view, const tp_rung_set *set,
     const uint64_t square = set_costs(view, set, cost);
 
     if (view->processor == TP_PROCESSOR_M0PLUS) {
-        const uint16_t *factor = tp_m0plus_factors[tp_set_is_fast(view, set)];
+        const uint16_t *factor = tp_m0plus_factors[tp_set_shaded(view, set)];
         for (int p = 0; p < TP_PART_COUNT; p++)
             cost[p] = cost[p] * factor[p] >> 8;
     }

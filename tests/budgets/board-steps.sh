@@ -53,10 +53,11 @@ counted()       # SCENE: prints SCENE, M of a picture and a tick: planned, count
     tests/charts/board.sh m0 "$board-$1" 320x240 60 '' 61 >"$scratch/$1.counts" &&
         cycles_of "$1" &&
         awk -F'[, ]' -v scene="$1" '
-            FILENAME ~ /csv$/ && FNR == 1 { for (i = 0; i < NF; i++) from_end[$(NF - i)] = i }
-            FILENAME ~ /csv$/ {     # choices have blanks: columns are found from the end
-                frame = $(NF - from_end["frame_m"]); tick = $(NF - from_end["tick_m"])
-                db = $(NF - from_end["db"])
+            FILENAME ~ /csv$/ {
+                n = split($0, cell, ",")
+                for (i = 1; i <= n; i++) if (FNR == 1) column[cell[i]] = i
+                frame = cell[column["frame_m"]]; tick = cell[column["tick_m"]]
+                db = cell[column["db"]]
             }
             FILENAME ~ /counts$/ { pictures++; ticks += $6; frames += $7 + $8 }
             FILENAME ~ /cycles$/ && $2 != "tick" { instructions += $3; cycles += $4 }

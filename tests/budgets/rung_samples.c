@@ -11,7 +11,7 @@
  *         prints pictures to count on the board, and what the plan says of them:
  *             picture KIND RUNG WIDTHxHEIGHT TICK NAME=VALUE...
  *             parts SHADED RENDERER WATER -[,KIND;RUNG;MASK]... COST... ; PREDICTED
- *             costs FAST COST... ; PREDICTED
+ *             costs SHADED COST... ; PREDICTED
  *         parts: the exact rungs' costs; WATER: pixels; MASK: bits of the parts that the
  *         rung changes; costs: those of the set, predicted
  *         bases: the exact picture, and that of fast shading; rungs: these, and each rung
@@ -218,7 +218,7 @@ static void print_costs(const tp_view_costs *c, const tp_rung_set *set)
     uint64_t cost[TP_PART_COUNT], sum = 0;
 
     tp_set_part_costs(c, set, cost);
-    printf("costs %d", tp_set_is_fast(c, set));
+    printf("costs %d", tp_set_shaded(c, set));
     for (int p = 0; p < TP_PART_COUNT; p++) {
         printf(" %" PRIu64, cost[p]);
         sum += cost[p];

@@ -54,23 +54,26 @@ static tp_rung_set set_any(const tp_view_costs *view)
 }
 
 /* No part takes fewer instructions, and parts of products of 64 bits take more of them than
- * the storing of pixels. */
+ * the walk over the pixels of the water. */
 static void products_of_64_bits_are_dearer(void **state)
 {
-    static const int products[] = { TP_PART_visibility, TP_PART_vertices, TP_PART_faces };
+    static const int products[] = { TP_PART_edges, TP_PART_vertices, TP_PART_waves,
+                                    TP_PART_faces };
 
     (void)state;
-    for (int f = 0; f < TP_SHADINGS; f++) {
+    for (int f = 0; f < TP_SHADED_COUNT; f++) {
         const uint16_t *factor = tp_m0plus_factors[f];
         for (int p = 0; p < TP_PART_COUNT; p++)
             assert_true(factor[p] >= 256);
         for (size_t i = 0; i < sizeof products / sizeof *products; i++)
-            assert_true(factor[products[i]] > factor[TP_PART_store]
+            assert_true(factor[products[i]] > factor[TP_PART_visibility]
                         && factor[products[i]] > 3 * 256);
     }
 }
 
-/* The processor changes the costs of parts by their factors, and nothing else. */
+/* The processor changes the costs of parts by their factors, and nothing else.  Counted
+ * pictures take 2.1 to 4.0 times as many; sets at random get down to 1.98, those of light
+ * alone. */
 static void sets_cost_their_parts_on_either_processor(void **state)
 {
     (void)state;
@@ -80,7 +83,7 @@ static void sets_cost_their_parts_on_either_processor(void **state)
         tp_view_costs view;
         make_view(&view, &s);
         const tp_rung_set set = set_any(&view);
-        const uint16_t *factor = tp_m0plus_factors[tp_set_is_fast(&view, &set)];
+        const uint16_t *factor = tp_m0plus_factors[tp_set_shaded(&view, &set)];
         const tp_set_price price = tp_set_price_estimate(&view, &set);
         tp_set_part_costs(&view, &set, m4);
         view.processor = TP_PROCESSOR_M0PLUS;
@@ -94,7 +97,7 @@ static void sets_cost_their_parts_on_either_processor(void **state)
         assert_int_equal(price.cost, sum);
         assert_int_equal(other.cost, other_sum);
         assert_int_equal(price.square, other.square);
-        assert_true(other.cost > 2 * price.cost && other.cost < 5 * price.cost);
+        assert_true(10 * other.cost > 18 * price.cost && other.cost < 5 * price.cost);
     }
 }
 
