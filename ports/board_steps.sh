@@ -75,8 +75,8 @@ awk -F, -v board=$board -v fps=$fps -v tick=$tick '
         print "Left the exact picture, right the step that `tidepool plan SCENE --board " \
             board " --fps " fps "`"
         print "finds: what the board draws " fps " times a second beside 60 ticks, or " \
-            "its cheapest step that keeps"
-        print "28 dB. Tick " tick ". Instructions are the plan\047s estimates; dB are " \
+            "its cheapest step of an"
+        print "estimated error of 16 levels. Tick " tick ". Instructions are the plan\047s estimates; dB are " \
             "those of the pictures at ticks"
         print "60 and 300 against the exact ones."
         print "`ports/board_steps.sh build/host/tidepool assets/gallery/boards` makes " \

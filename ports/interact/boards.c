@@ -8,7 +8,7 @@
  * branches 2 and 3.  Waits for flash and for the other core are not in it. */
 #include "boards.h"
 
-#define SQUARE_MOST (196ull << 16)      /* of 14 levels, Q16 */
+#define SQUARE_MOST (256ull << 16)      /* of 16 levels, Q16 */
 #define KB 1024u
 #define MB (1024u * KB)
 #define M  1000000ull

@@ -48,7 +48,7 @@ uint64_t board_frame_budget(const board_frame *frame);
 /* Returns the plan of a scene for a board's frame: the most exact set within its budget; of
  * the drawing rows, mirror.size and grid.vertices are open too.  If no set is within it,
  * *real_time is false, and the plan is the cheapest set with an estimated error of at most
- * 10 levels, 28 dB. */
+ * 16 levels: 29 to 34 dB in most shipped scenes. */
 tp_plan board_plan_make(const board_frame *frame, const tp_scene *scene,
                         const tp_assets *assets, uint32_t width, uint32_t height,
                         bool *real_time);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The steps of the shipped scenes that an stm32f405 draws at 10 pictures a second, or their
-# cheapest that keep 28 dB: the table of ports/BOARDS.md, and the page of pictures in
+# cheapest within 16 levels: the table of ports/BOARDS.md, and the page of pictures in
 # assets/gallery/boards. Instructions are the plan's estimates; PSNR is measured by
 # `tidepool plan --board`.
 #

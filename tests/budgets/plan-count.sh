@@ -14,7 +14,7 @@ case ${1:-} in --rows) rows=1 ;; esac
 program=${TP_PROGRAM:-build/host/tidepool}
 
 # Prints the plan's row of costs and the counted cost of each scene:
-# scene predicted counted error_px error_colour
+# scene predicted counted error
 compare()       # ROW FIGURE SCENE...: a row without stage of `plan`, a figure of scenes.csv
 {
     row=$1 figure=$2
@@ -24,7 +24,7 @@ compare()       # ROW FIGURE SCENE...: a row without stage of `plan`, a figure o
             '$1 == s && $2 == figure { print $3 }' tests/budgets/scenes.csv)
         "$program" plan "$name" --size 320x240 --csv |
             awk -F, -v s="$name" -v row="$row" -v counted="$counted" \
-                '$1 == row && $2 == "" { print s, $4, counted, $5, $6 }'
+                '$1 == row && $2 == "" { print s, $4, counted, $5 }'
     done
 }
 
@@ -39,8 +39,7 @@ both()          # frames of all scenes
 if [ -n "$rows" ]; then
     both | awk '{ print "plan," $1 ",predicted," $2
                   print "plan," $1 ",counted," $3
-                  print "plan," $1 ",error_px," $4
-                  print "plan," $1 ",error_colour," $5 }'
+                  print "plan," $1 ",error," $4 }'
     exit
 fi
 
