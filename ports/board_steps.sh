@@ -76,8 +76,8 @@ awk -F, -v board=$board -v fps=$fps -v tick=$tick '
             board " --fps " fps "`"
         print "finds: what the board draws " fps " times a second beside 60 ticks, or " \
             "its cheapest step of an"
-        print "estimated error of 16 levels. Tick " tick ". Instructions are the plan\047s estimates; dB are " \
-            "those of the pictures at ticks"
+        print "estimated error of 16 levels. Tick " tick ". Instructions are the plan\047s " \
+            "estimates; dB are those of the pictures at ticks"
         print "60 and 300 against the exact ones."
         print "`ports/board_steps.sh build/host/tidepool assets/gallery/boards` makes " \
             "this again."
