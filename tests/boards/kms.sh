@@ -15,7 +15,7 @@ scene=three-swells golden=tests/golden/three-swells/xrgb8888-0100.png
 vm_lacks "screens by KMS" amd64 arm64 && exit 0
 check "one static file shows a scene" alone build build/host/scenes/$scene-screen
 check "and one for aarch64" for_aarch64 build/$aarch64/scenes/$scene-screen
-check "the host's picture" "$program" render $scene --size 640x480 --frames 3:3 \
+check "the host's picture" "$program" render $scene --rung named --size 640x480 --frames 3:3 \
     --out "$vm_work/whole.png"
 [ "$failed" = 0 ] || exit 1
 

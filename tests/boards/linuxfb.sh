@@ -43,7 +43,7 @@ while IFS='|' read -r mode number format bits; do
     case ${TP_SOAK:-}$mode in
     555|565|24) continue ;;
     esac
-    "$program" render $scene --size 640x480 --frames 3:3 --format $format \
+    "$program" render $scene --rung named --size 640x480 --frames 3:3 --format $format \
         --out "$vm_work/$mode.png" >"$scratch/output" || cat "$scratch/output"
     vm_want $mode-whole "$vm_work/$mode.png" $bits
     vm_want $mode-golden $golden/$format-0100.png $bits centred

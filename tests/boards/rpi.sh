@@ -96,10 +96,10 @@ run_board()
 # -- expected output and pictures --------------------------------------------------------
 
 for format in xrgb8888 rgb565; do
-    "$program" render $scene --size 208x150 --frames 99:100 --format $format \
+    "$program" render $scene --rung named --size 208x150 --frames 99:100 --format $format \
         --out "$scratch/$format-%d.png" || exit 1
 done
-"$program" render $scene --size 208x150 --frames 10:10 --set $set=0.9 --hash \
+"$program" render $scene --rung named --size 208x150 --frames 10:10 --set $set=0.9 --hash \
     --out "$scratch/set.png" >"$scratch/set" || exit 1
 
 said()          # RUN LINE: a whole line
@@ -127,7 +127,7 @@ by_itself()
 {
     frame=$(grep -a '^frame' "$scratch/$board-alone.said" | tail -n 1 | tr -d '\r')
     tick=$(echo "$frame" | sed 's/frame 0*\([0-9]*\) .*/\1/')
-    [ "$tick" -ge 2 ] && "$program" render $scene --frames "$tick:$tick" --hash |
+    [ "$tick" -ge 2 ] && "$program" render $scene --rung named --frames "$tick:$tick" --hash |
         grep -x "$frame"
 }
 

@@ -17,7 +17,7 @@ lacks qemu-system-arm qemu-system-arm "memory on a Cortex-M4" && exit 77
 
 drawn()         # SCENE: true if all pictures are equal, and equal the host's
 {
-    want=$("$program" render "$2" --size 320x240 --frames 60:60 --format rgb565 --hash)
+    want=$("$program" render "$2" --rung named --size 320x240 --frames 60:60 --format rgb565 --hash)
     got=$(awk '{ print $NF }' "$scratch/$1.said" | sort -u)
     [ "$got" = "$(printf %d "0x${want##* }")" ] || { echo "$got is not $want"; false; }
 }

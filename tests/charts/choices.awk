@@ -18,7 +18,7 @@ file == "boards.csv" && $2 == "stm32f405" {
 }
 file == "ticks.csv" && $2 == "all" { tick[$1] = $3 }
 file == "regret.csv" && FNR > 1 {
-    sets++; off += $5; if ($5 > worst) worst = $5
+    sets++; off += $9; if ($9 > worst) worst = $9
 }
 file == "predicted.csv" && $1 == "cost" {
     counted++; miss = $4 / $5 - 1; near += miss <= 0.1 && miss >= -0.1
@@ -74,8 +74,8 @@ END {
         sprintf("deep-sea: %.2f M instructions a tick, %.2f M without",
                 tick["deep-sea+cheap"] / 1e6, tick["deep-sea"] / 1e6), "[ticks](ticks.png)")
     row("the fewest instructions for an error",
-        "the last step of the ladder within it",
-        sprintf("%.1f %% above the cheapest set in the mean, %.0f %% at most", off / sets,
+        "the plan within `quality.error_colour`",
+        sprintf("%.2f %% above the cheapest set in the mean, %.1f %% at most", off / sets,
                 worst), "[regret](regret.png)")
     row("a prediction for a camera that moves", "`tidepool plan SCENE --set camera...`",
         sprintf("%d of %d errors within the prediction, %d of %d costs within 10 %%", kept,

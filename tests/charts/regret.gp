@@ -19,7 +19,7 @@ set xlabel "% above the cheapest set"
 set multiplot
 do for [panel=0:1] {
     budget = panel ? 6 : 2
-    set xrange [-0.5:panel ? 42 : 10]
+    set xrange [-0.5:panel ? 62 : 10]
     set label 1 sprintf("budget: %d levels rms", budget) at graph 0.98,0.025 right
     set lmargin at screen panel ? 0.535 : 0.145
     set rmargin at screen panel ? 0.98 : 0.50

@@ -24,7 +24,7 @@ for scene in $scenes; do
 done
 here()          # RANGE FILE
 {
-    "$program" render "$scene" --size $size --frames "$1" --out "$scratch/$2"
+    "$program" render "$scene" --rung named --size $size --frames "$1" --out "$scratch/$2"
 }
 there()
 {

@@ -113,9 +113,6 @@ same "pictures are baked as the quick rung wants them, and not beside" \
 run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set water.clarity=3
 same "but beside what exact stages will ask for" \
     "$(grep -c '\.baked_layer\[0\] = &\|\.layer\[0\] = &' g.c)" 2
-run bake count-64 -o g.c --texels 8 --set quality.shading=quick --set ripple.bump=0
-same "and where smooth water under a dome is drawn by exact stages" \
-    "$(grep -c '\.layer\[0\] = &' g.c)" 1
 
 # -- the module list of a program ------------------------------------------------------
 
@@ -184,7 +181,7 @@ draws()         # SCENE [SETTING]
     ${CC:-cc} $strict -I"$root/src" -I"$root" -I"$root/ports" "$root/tests/cross/frames.c" small.c \
         "$root/build/host/libtidepool.a" -o frames 2>err
     ./frames 64x48 0:1 xrgb8888 0x0 >drawn 2>/dev/null
-    run render $1 --size 64x48 --frames 0:1 --hash $change
+    run render $1 --rung named --size 64x48 --frames 0:1 --hash $change
     }
     same "$1 draws the same from constants${2:+ with $2}" \
         "$(grep -c crc32 drawn) $(cat drawn)" "2 $(cat out)"

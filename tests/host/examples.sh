@@ -21,7 +21,7 @@ crc_of()        # COMMAND...
 want()          # SIZE OPTION...
 {
     size=$1; shift
-    "$program" render tests/host/first.ini --texels 16 --size "$size" --frames 30:30 \
+    "$program" render tests/host/first.ini --texels 16 --rung named --size "$size" --frames 30:30 \
         --hash "$@" | sed 's/.* //'
 }
 draws() { is "$(crc_of "$@")" "$picture"; }
@@ -62,7 +62,7 @@ for with in TFT_ESPI LOVYANGFX; do
                 draws "$scratch/tft" "${size%x*}" "${size#*x}" 31
         done
         check "$on the serial port tells what does not fit" says \
-            "sea: out of memory: 96608 bytes needed, 90112 available" 480 320
+            "sea: out of memory: 96480 bytes needed, 90112 available" 480 320
         check "$on and of a panel that is too small" says \
             "sea: picture of 8 x 8 pixels; 16 x 16 to 4096 x 4096 can be drawn" 8 8
     done

@@ -36,7 +36,7 @@ same "the viewer has at most 60 lines" \
 # use CASE SCENE ARGUMENT: prints the case's output, and leaks or worse.
 use() { timeout 120 ./use "$@" 2>&1; }
 # drawn SCENE LAST: prints the program's frames.
-drawn() { timeout 120 "$program" render "$1" --size 160x120 --frames "$2" --hash 2>&1; }
+drawn() { timeout 120 "$program" render "$1" --rung named --size 160x120 --frames "$2" --hash 2>&1; }
 
 # -- pictures ------------------------------------------------------------------------------
 

@@ -173,10 +173,13 @@ crc_of()        { echo "$1" | sed 's/.* crc32 \([0-9a-f]*\).*/\1/'; }
 bytes_of()      { echo "$1" | sed 's/.* bytes sent \([0-9]*\).*/\1/'; }
 clocks_of()     { echo "$1" | sed 's/.* clocks \([0-9]*\).*/\1/'; }
 
-# Prints the host's CRC at a tick.
+# Prints the host's CRC at a tick, by the rungs that were planned for the baked scene.
 host_crc()      # TICK [OPTION]...
 {
     at=$1; shift
+    # shellcheck disable=SC2046
+    set -- $("$program" plan $live_scene --size 128x64 --csv |
+        awk -F, '$3 == "chosen" { print "--set " $1 "=" $2 }') "$@"
     "$program" render $live_scene --size 128x64 --format l8 --frames "$at:$at" --hash "$@" |
         sed 's/.* //'
 }

@@ -136,7 +136,7 @@ static const char *read_visibility(options *o, const char *value)
 static const char *read_rung(options *o, const char *value)
 {
     o->rung = value;
-    return scene_file_knows_rung(value) ? NULL : "exact, planned or fast";
+    return scene_file_knows_rung(value) ? NULL : "exact, planned, named or fast";
 }
 
 static const char *read_board(options *o, const char *value)
@@ -286,7 +286,7 @@ const option_row args_rows[] = {
     { "--set", "NAME=VALUE", DRAWERS | FOR_PARAMS | FOR_BAKE | FOR_PLAN, read_set,
       "change one parameter of the scene; may be repeated" },
     { "--rung", "NAME", RARE | DRAWERS | FOR_BAKE | FOR_PLAN, read_rung,
-      "quality of all effects: exact, planned or fast" },
+      "quality of all effects: exact, planned, named, fast" },
     { "--only", "GROUP", FOR_PARAMS, read_only,
       "only names that begin with GROUP: water, wave0., boat.m" },
     { "--out", "FILE", FOR_RENDER, read_out,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan_sheet.h"
-#include <math.h>
+#include "fixed/arithmetic.h"
 #include <string.h>
 #include "interact/plan_text.h"
 #include "scene_plan.h"
@@ -10,7 +10,7 @@
 
 double plan_error(tp_set_price price)
 {
-    return sqrt((double)price.square / 65536);
+    return (double)tp_isqrt64(price.square * 10000) / 25600;
 }
 
 static void make_view(tp_view_costs *view, const loaded_scene *s)
@@ -60,10 +60,11 @@ plan_kind plan_sheet_kind(const plan_sheet *p, const tp_scene *scene, int kind)
     without.of[kind] = 0;
     tp_rung_set_apply(&drawn, &p->plan.set);
     const tp_set_price price = tp_set_price_estimate(&p->view, &without);
-    const double more = (double)p->plan.price.square - (double)price.square;
+    const uint64_t now = p->plan.price.square;
+    const tp_set_price more = { 0, now > price.square ? now - price.square : 0 };
     plan_kind of = { .named = !(p->plan.open >> kind & 1),
                      .saves = (double)price.cost - (double)p->plan.price.cost,
-                     .adds = more > 0 ? sqrt(more / 65536) : 0 };
+                     .adds = plan_error(more) };
     write_word(&drawn, kind, of.word, sizeof of.word);
     return of;
 }

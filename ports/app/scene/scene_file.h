@@ -37,8 +37,9 @@ int  scene_file_find(scene_file *file, const char *given);
 /* Prints a warning for the old names of rows in the file, and one for those of --set. */
 void scene_file_report_old_names(const scene_file *file);
 
-/* Sets the rungs of all kinds and effects: "exact", "planned" (every rung left to the plan)
- * or "fast" (fast shading, the middle mesh, and the cheapest rung of each other effect). */
+/* Sets the rungs of all kinds and effects: "exact", "planned" (every rung left to the plan),
+ * "named" (those of the scene, and exact ones in open rows) or "fast" (fast shading, the
+ * middle mesh, and the cheapest rung of each other effect). */
 bool scene_file_knows_rung(const char *name);
 void scene_file_set_rung(scene_file *file, const char *name);
 

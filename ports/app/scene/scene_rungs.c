@@ -2,11 +2,13 @@
 /* The rungs of all kinds and effects by one name. */
 #include <string.h>
 #include "scene_file.h"
+#include "quality/rung_sets.h"
 #include "world/text.h"
 
-enum { EXACT, PLANNED, FAST, NAMES };
+enum { EXACT, PLANNED, FAST, NAMED, NAMES };
 
-static const char *const names[NAMES] = { "exact", "planned", "fast" };
+static const char *const names[NAMES] = { "exact", "planned", "fast",
+                                          "named" };
 
 /* Rungs of the kinds: visibility, shading, rate. */
 static const int32_t kinds[NAMES][3] = {
@@ -35,10 +37,25 @@ static void name_row(scene_file *file, const char *row)
     file->set_at[tp_param_find(row, strlen(row)) - tp_params(&count)] = SET_BY_COMMAND;
 }
 
+/* Sets open rows to their exact rungs: a program without a plan draws these. */
+static void close_rows(tp_scene *scene)
+{
+    const tp_rung_set exact = { .of = { 0 } };
+    uint32_t open;
+
+    tp_rung_set_named(scene, false, &open);
+    tp_rung_set_apply_some(scene, &exact, open);
+    scene->quality.board = TP_BOARD_none;
+}
+
 void scene_file_set_rung(scene_file *file, const char *name)
 {
     const int n = find_name(name);
 
+    if (n == NAMED) {
+        close_rows(&file->scene);
+        return;
+    }
     name_row(file, "quality.visibility");
     name_row(file, "quality.shading");
     name_row(file, "quality.rate");
