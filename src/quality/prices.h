@@ -15,9 +15,6 @@
 #include "world/module.h"
 #include "world/pools.h"
 
-#define TP_KINDS 3              /* visibility, shading, rate */
-#define TP_KIND_RUNGS 4         /* most rungs of a kind */
-
 enum { TP_KIND_VISIBILITY, TP_KIND_SHADING, TP_KIND_RATE };
 enum { TP_VISIBILITIES = 4, TP_SHADINGS = 2, TP_RATES = 3 };
 

@@ -75,8 +75,7 @@ enum {
     TP_COST_PARTS(X)
 #undef X
     TP_PART_COUNT,
-    TP_PARTS_SEEN = TP_PART_rings + 1,
-    TP_PARTS_OF_PIXELS = TP_PART_glass + 1,  /* the parts before, less the seen ones */
+    TP_PARTS_SEEN = TP_PART_rings + 1
 };
 
 /* Shadings of water that have factors of their own. */
@@ -90,9 +89,9 @@ enum { TP_SHARE_all, TP_SHARE_sky, TP_SHARE_water, TP_SHARE_mirrored, TP_SHARE_s
  * a product of 64 bits is a call. */
 typedef enum { TP_PROCESSOR_M4, TP_PROCESSOR_M0PLUS } tp_processor;
 
-/* A view with the costs of the exact effects, by each water renderer.  Parts are
- * those of a Cortex-M4; a set is priced for `processor`, which is a Cortex-M4 unless the
- * caller sets another one.  The plan never does: all machines draw the same bits. */
+/* A view with the costs of the exact effects, by each water renderer.  Parts are those of a
+ * Cortex-M4; a set is priced for `processor`, a Cortex-M4 unless the caller sets another
+ * one.  The plan for an error budget is priced for a Cortex-M4 on every machine. */
 typedef struct tp_view_costs {
     tp_processor processor;
     tp_view_estimate estimate;

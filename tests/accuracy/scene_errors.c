@@ -15,20 +15,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
+#include "quality/plan.h"
 #include "tests/charts/picture.h"
 #include "tests/lib/reference_difference.h"
 
 enum { THREADS = 2, FRAMES = 12 };
 
-/* Rungs by their settings. */
-static const struct {
-    const char *name, *setting[3];
-    uint32_t    settings;
-} rungs[] = {
-    { "exact", { "quality.visibility=triangles", "quality.shading=exact",
-                 "quality.rate=full" }, 3 },
-    { "shipped", { NULL }, 0 },
-};
+enum { EXACT, SHIPPED, RUNGS };
+
+static const char *const rungs[RUNGS] = { [EXACT] = "exact", [SHIPPED] = "shipped" };
 
 /* Cameras by their settings; the first is the scene's own. */
 static const struct {
@@ -40,7 +35,7 @@ static const struct {
     { "50-m", { "camera.y=50", "camera.pitch=-30" }, 2 },
 };
 
-enum { RUNGS = sizeof rungs / sizeof *rungs, CAMERAS = sizeof cameras / sizeof *cameras };
+enum { CAMERAS = sizeof cameras / sizeof *cameras };
 
 typedef struct {
     const char *path, *name;
@@ -81,16 +76,28 @@ static uint32_t *draw_truth(const request *r, const ref_stand *stand)
     return pixels;
 }
 
+/* Names exact rungs, or the shipped ones: the scene's own, with the plan's in open rows. */
+static void name_rungs(ref_stand *stand, const request *r, uint32_t rung)
+{
+    const tp_rung_set exact = { .of = { 0 } };
+    tp_scene *scene = &stand->file.scene;
+
+    if (rung == EXACT) {
+        tp_rung_set_apply(scene, &exact);
+        return;
+    }
+    const tp_plan plan = tp_plan_make(scene, &stand->assets.names, r->width, r->height);
+    tp_rung_set_apply_some(scene, &plan.set, plan.open);
+}
+
 static int open_stand(ref_stand *stand, const request *r, uint32_t rung, uint32_t tick)
 {
-    const char *setting[6];
-    uint32_t n = 0;
+    const int code = ref_stand_open(stand, r->path, cameras[r->camera].setting,
+                                    cameras[r->camera].settings, tick);
 
-    for (uint32_t i = 0; i < cameras[r->camera].settings; i++)
-        setting[n++] = cameras[r->camera].setting[i];
-    for (uint32_t i = 0; i < rungs[rung].settings; i++)
-        setting[n++] = rungs[rung].setting[i];
-    return ref_stand_open(stand, r->path, setting, n, tick);
+    if (!code)
+        name_rungs(stand, r, rung);
+    return code;
 }
 
 /* Draws the scene at a tick. Rungs change no world, so one world serves all. */
@@ -130,7 +137,7 @@ static int print_errors(const request *r, uint32_t tick)
         return code;
     for (uint32_t i = 0; i < RUNGS; i++) {
         const double psnr = picture_psnr(p.truth, p.rung[i], count);
-        printf("%s,%u,%s,%s,%.2f,%.2f,%.4f\n", r->name, (unsigned)tick, rungs[i].name,
+        printf("%s,%u,%s,%s,%.2f,%.2f,%.4f\n", r->name, (unsigned)tick, rungs[i],
                cameras[r->camera].name, 255 / pow(10, psnr / 20), psnr,
                picture_ssim(p.truth, p.rung[i], r->width, r->height));
     }
@@ -176,7 +183,7 @@ static int print_twinkle(const request *r, uint32_t tick)
                                    p[k + 1].rung[i], count);
     }
     for (uint32_t i = 0; i < RUNGS; i++)
-        printf("%s,%u,%s,%.3f,%.3f\n", r->name, (unsigned)tick, rungs[i].name,
+        printf("%s,%u,%s,%.3f,%.3f\n", r->name, (unsigned)tick, rungs[i],
                rung[i].magnitude / truth.magnitude, sqrt(rung[i].square / truth.square));
     for (uint32_t k = 0; k < FRAMES; k++)
         free_pictures(&p[k]);

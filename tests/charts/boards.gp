@@ -33,7 +33,10 @@ set arrow 1 from 10,graph 0 to 10,graph 1 nohead linecolor rgb grey dashtype 2 b
 set label 1 "plain water, 64 points a side: Tidepool, and others without the waves" \
     at least * 0.28,words(scenes) + 1 left textcolor rgb grey
 set key at screen 0.02,0.985 width -0.5
+# The key has its own entries: gnuplot leaves out boards without a full mark.
 plot for [b=1:words(boards_)] csv using (full(b)):(y(b)) with points linetype b \
+         pointtype int(word("5 7 9 11 13 15 3", b)) pointsize 1.3 notitle, \
+     for [b=1:words(boards_)] keyentry with points linetype b \
          pointtype int(word("5 7 9 11 13 15 3", b)) pointsize 1.3 title word(boards_, b), \
      for [b=1:words(boards_)] csv using (hollow_(b)):(y(b)) with points linetype b \
          pointtype int(word("4 6 8 10 12 14 3", b)) pointsize 1.3 notitle

@@ -249,6 +249,22 @@ run render storm --size 64x48 --frames 40 --hash
 same "and is another than the one without a board" \
     "$(cmp -s out list || echo another)" another
 
+# A board in the scene's file changes neither --rung exact nor the steps of the ladder.
+{ sed "s|= \\.\\./|= $root/assets/|" "$root/assets/scenes/storm.ini"
+  printf '[quality]\nboard = stm32f405\n'; } >board.ini
+for rung in "--rung exact" "--rung named" "--step 0" "--step 9"; do
+    # shellcheck disable=SC2086
+    run render storm --size 64x48 --frames 3 --hash $rung
+    cp out list
+    # shellcheck disable=SC2086
+    run render board.ini --size 64x48 --frames 3 --hash $rung
+    same "a board does not change $rung" "$code $(cat out)" "0 $(cat list)"
+done
+run plan storm --board rp2350 --size 64x48 --csv
+cp out list
+run plan board.ini --board rp2350 --size 64x48 --csv
+same "nor the plan for another board" "$code $(cat out)" "0 $(cat list)"
+
 # ini NAME CODE PATTERN TEXT...: runs a scene file with these lines.
 ini() {
     name=$1 want=$2 pattern=$3

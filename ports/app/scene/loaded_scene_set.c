@@ -127,8 +127,8 @@ static bool changes_rungs(const loaded_scene *s)
     const frame_renderer *now = &s->renderer;
     const tp_plan plan = scene_plan_renew(s, now->config.width, now->config.height);
 
-    return plan.open != now->plan.open
-        || memcmp(&plan.set, &now->plan.set, sizeof plan.set) != 0;
+    return plan.open != s->plan.open
+        || memcmp(&plan.set, &s->plan.set, sizeof plan.set) != 0;
 }
 
 static bool needs_canvas(const loaded_scene *s, const change *c)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan_sheet.h"
-#include "fixed/arithmetic.h"
 #include <string.h>
+#include "fixed/arithmetic.h"
 #include "interact/plan_text.h"
 #include "scene_plan.h"
 #include "world/text.h"
@@ -25,7 +25,7 @@ static void make_view(tp_view_costs *view, const loaded_scene *s)
 
 void plan_sheet_make_walk(tp_set_walk *walk, const loaded_scene *s)
 {
-    const tp_plan *plan = &s->renderer.plan;
+    const tp_plan *plan = &s->plan;
     tp_view_costs view;
 
     make_view(&view, s);

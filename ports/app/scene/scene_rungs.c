@@ -45,13 +45,14 @@ static void close_rows(tp_scene *scene)
 
     tp_rung_set_named(scene, false, &open);
     tp_rung_set_apply_some(scene, &exact, open);
-    scene->quality.board = TP_BOARD_none;
 }
 
 void scene_file_set_rung(scene_file *file, const char *name)
 {
     const int n = find_name(name);
 
+    if (n != PLANNED)           /* a board's plan opens rows of the drawing too */
+        file->scene.quality.board = TP_BOARD_none;
     if (n == NAMED) {
         close_rows(&file->scene);
         return;

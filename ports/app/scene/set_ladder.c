@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "set_ladder.h"
 #include "plan_sheet.h"
+#include "scene_plan.h"
 
 /* -- steps --------------------------------------------------------------------------- */
 
@@ -23,7 +24,7 @@ void set_ladder_find(set_ladder *ladder, const loaded_scene *s, uint32_t width,
     uint32_t open;
     const tp_rung_set from = tp_rung_set_named(scene, true, &open);
 
-    if (tp_plan_view(&view, scene, &s->assets.names, width, height))
+    if (tp_plan_view(&view, scene, scene_plan_assets(s), width, height))
         tp_set_walk_make(&walk, &view, from, open);
     ladder->count = walk.count;
     for (uint32_t i = 0; i < walk.count; i++)
@@ -35,15 +36,22 @@ ladder_step set_ladder_step(const loaded_scene *s, const tp_plan *plan)
     return step_make(s, &plan->set, plan->price);
 }
 
+/* Returns the rung of the boat's mesh that is loaded. */
+static uint8_t loaded_mesh(const loaded_scene *s)
+{
+    const int32_t named = s->file.scene.quality.mesh;
+
+    return named ? (uint8_t)(named - 1) : s->plan.set.of[TP_KIND_mesh];
+}
+
 int set_ladder_apply(loaded_scene *s, const options *o, const ladder_step *step)
 {
-    const int32_t mesh = s->file.scene.quality.mesh;
+    const bool same = loaded_mesh(s) == step->set.of[TP_KIND_mesh];
 
     tp_rung_set_apply(&s->file.scene, &step->set);
     s->file.scene.quality.board = TP_BOARD_none;    /* its rows are named now */
     s->plan = (tp_plan){ .set = step->set, .price = step->price };
-    if (s->file.scene.quality.mesh == mesh
-        || (mesh <= TP_MESH_FULL && s->file.scene.quality.mesh == TP_MESH_FULL))
+    if (same)
         return EXIT_DONE;
     assets_close(&s->assets);
     return loaded_scene_load_assets(s, &s->assets, o);

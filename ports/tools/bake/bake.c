@@ -186,7 +186,7 @@ static int run(loaded_scene *s, const options *o)
         code = loaded_scene_load(s, o);
     if (code)
         return code;
-    if (bake_has_program(o))    /* the plan is for one size */
+    if (bake_has_program(o) || s->frame.board)  /* the plan is for one size */
         tp_rung_set_apply_some(&s->file.scene, &s->plan.set, s->plan.open);
     make_identifier(o->name ? o->name : s->file.name, name);
     const tp_assets all = s->assets.names;

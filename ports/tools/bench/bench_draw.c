@@ -103,6 +103,7 @@ int bench_draw(bench_list *list, bench_scene *s, bench_figure *f, int round, boo
     s->scene.quality.visibility = (int32_t)f->rungs.visibility;
     s->scene.quality.shading = (int32_t)f->rungs.shading;
     frame_renderer_plan(&c, &config, 1);
+    c.plan = tp_plan_make(&s->scene, &s->assets, f->width, f->height);
     int code = frame_renderer_open(&c, &s->scene, &s->assets);
     if (!code)
         code = begin_world(s, &world);
