@@ -28,6 +28,7 @@ test | cmake                    | cmd cmake                   | package of the l
 test | g++                      | cmd g++                     | a program in C++ with it
 test | binutils                  | cmd objdump                 | gates on the object code
 test | mandoc                    | cmd mandoc                  | checks the manual page
+test | xvfb                     | cmd Xvfb                    | a display that is taken away
 sheet | imagemagick              | cmd montage                 | lays pictures out
 sheet | fonts-dejavu-core        | dir /usr/share/fonts/truetype/dejavu | their names
 sheet | xvfb                     | cmd Xvfb                    | a display for the preview
