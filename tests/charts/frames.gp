@@ -8,14 +8,14 @@ taken(y) = is_used(strcol("used")) ? column(y) : NaN
 
 # Names stand right of their points, with these exceptions; where points are close, a thin
 # line leads from the point to the name.
-left  = " storm from-above "
-above = " minimal count-100 "
+left  = " from-above "
+above = " raindrops minimal count-100 "
 below = " lava count-64 "
-array far[8]    = ["flat-calm", "tank", "pond", "harbour", "three-swells", "calm-bay", \
-                   "deep-sea", "night-sea"]
-array far_x[8]  = [900, 1480, 1850, 2280, 2000, 1640, 1120, 760]
-array far_y[8]  = [36.5, 42, 39, 31.6, 28.6, 25.8, 19, 20.2]
-left_of = " flat-calm night-sea "
+array far[9]    = ["storm", "flat-calm", "tank", "pond", "harbour", "three-swells", \
+                   "calm-bay", "deep-sea", "night-sea"]
+array far_x[9]  = [700, 900, 1480, 1850, 2280, 2000, 1640, 1120, 760]
+array far_y[9]  = [16.5, 36.5, 42, 39, 31.6, 28.6, 25.8, 19, 20.2]
+left_of = " storm flat-calm night-sea "
 is_far(s) = sum [i=1:|far|] (far[i] eq s ? 1 : 0)
 placed(list) = strstrt(list, " " . strcol("scene") . " ") > 0 ? strcol("scene") : ""
 aside(s) = is_far(s) || strstrt(left . above . below, " " . s . " ") > 0 ? "" : s

@@ -20,7 +20,7 @@ set multiplot
 do for [panel=0:1] {
     budget = panel ? 6 : 2
     set xrange [-0.5:panel ? 62 : 10]
-    set label 1 sprintf("budget: %d levels rms", budget) at graph 0.98,0.025 right
+    set label 1 sprintf("budget: %d levels rms", budget) at graph 0.5,1.03 center
     set lmargin at screen panel ? 0.535 : 0.145
     set rmargin at screen panel ? 0.98 : 0.50
     if (panel) { set format y ""; unset key; unset ytics

@@ -43,7 +43,7 @@ set label 1 "calm-bay, gentle" at graph 0.98, 0.92 right
 set label 2 "flat" at 61, 30 center textcolor linetype 4
 set label 3 "projected" at 430, 7.6 center textcolor linetype 3
 set label 4 "triangles" at 130, 5 right textcolor linetype 1
-set label 5 "rows" at 160, 11 left textcolor linetype 2
+set label 5 "rows" at 170, 7.2 left textcolor linetype 2
 set ylabel "colours, rms levels" offset 0.5,0
 @lines @front @said
 @lower
