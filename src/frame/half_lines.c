@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Water at half the rows, for quality.lines = half: the water of a mean row is the mean of
- * the rows above and below.
+ * the rows above and below, where these are alike.  Glints, outlines of mirrored objects
+ * and steep crests differ from row to row: their blocks of eight columns are shaded.
  *
  * Mean rows are the odd rows of the picture except each sixteenth, so tiles of sixteen rows
  * need no row of a neighbour.  Tiles of other heights draw one row more above, below or both.
@@ -67,14 +68,47 @@ TP_NEVER_INLINE int32_t count_alike(const uint32_t *above, const uint32_t *below
     return n;
 }
 
+#define BLOCK 8                 /* columns that are filled or shaded together */
+#define APART (BLOCK * 3 * 16)  /* sum of differences of a block's channels: 16 levels in
+                                 * the mean, or one pixel of glint */
+
+/* Returns the sum of the differences of all channels but alpha. */
+static uint32_t sum_differences(const uint32_t *above, const uint32_t *below, int32_t count)
+{
+    uint32_t sum = 0;
+
+    for (int32_t i = 0; i < count; i++)
+        sum += tp_usad8(above[i] | 0xff000000, below[i] | 0xff000000);
+    return sum;
+}
+
+/* Returns the number of pixels, from column x on and up to `limit`, in blocks whose rows are
+ * all near each other, or all apart; *near says which. */
+static int32_t count_near(const uint32_t *above, const uint32_t *below, int32_t x,
+                          int32_t limit, bool *near)
+{
+    int32_t n = 0;
+
+    while (n < limit) {
+        const int32_t left = limit - n, to_edge = BLOCK - (x + n) % BLOCK;
+        const int32_t count = to_edge < left ? to_edge : left;
+        const bool is_near = sum_differences(above + n, below + n, count) < APART;
+        if (n > 0 && is_near != *near)
+            break;
+        *near = is_near;
+        n += count;
+    }
+    return n;
+}
+
 static void mix(uint32_t *to, const uint32_t *above, const uint32_t *below, int32_t count)
 {
     for (int32_t i = 0; i < count; i++)
         to[i] = tp_uhadd8(above[i], below[i]);
 }
 
-/* Fills the row's colours: means of both neighbours where these are water too.  The rest is
- * shaded, and so is the last row of a picture. */
+/* Fills the row's colours: means of both neighbours where these are water too, and alike.
+ * The rest is shaded, and so is the last row of a picture. */
 static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
                           const tp_water_rows *found, int32_t y)
 {
@@ -89,10 +123,13 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
         const int32_t i = x - tile->x0;
         const tp_shaders *list = tp_frame_begin_run(frame, tile, x, y,
                                                     alike, &run);
-        bool both = false;
+        bool mean = false;
         if (!last && TP_MARK(run.key[0]) == TP_MARK_WATER)
-            run.count = count_alike(above + i, below + i, run.count, &both);
-        if (both) {
+            run.count = count_alike(above + i, below + i, run.count, &mean);
+        if (mean)
+            run.count = count_near(to + i - tile->stride, to + i + tile->stride, x,
+                                   run.count, &mean);
+        if (mean) {
             mix(to + i, to + i - tile->stride, to + i + tile->stride, run.count);
             continue;
         }

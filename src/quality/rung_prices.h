@@ -23,8 +23,9 @@ extern const tp_rung_effect tp_rung_effects[TP_RUNG_KINDS];
 bool tp_rung_takes_effect(const tp_view_costs *view, const tp_rung_set *set, int kind);
 
 /* True if the search may choose the rung: it has a measured price, and the view can show it.
- * Fast light lights every second column, glints too: inside a specular lobe that shows as a
- * comb. */
+ * Fast light and colours of half rate light every second column, glints too: inside a
+ * specular lobe that shows as a comb.  Half of the lines is open there: rows that differ are
+ * drawn (frame/half_lines.c). */
 bool tp_rung_is_known(const tp_view_costs *view, int kind, uint8_t rung);
 
 /* Measured: a factor of the parts, Q8, instructions more for each pixel of water, and the

@@ -81,7 +81,8 @@ enum {
 /* Shadings of water that have factors of their own. */
 enum { TP_SHADED_EXACT, TP_SHADED_FAST, TP_SHADED_FAST_CLEAR, TP_SHADED_COUNT };
 
-/* Shares of the picture, Q16, whose pixels show an effect. */
+/* Shares of the picture, Q16, whose pixels show an effect.  A pixel of water counts by the
+ * square of what haze leaves of its colour: errors fade as the colour does. */
 enum { TP_SHARE_all, TP_SHARE_sky, TP_SHARE_water, TP_SHARE_mirrored, TP_SHARE_solid,
        TP_SHARE_COUNT };
 

@@ -10,13 +10,19 @@
 #include "base/base.h"
 #include "quality/rung_prices.h"
 
+static bool lights_half_the_columns(int kind, uint8_t rung)
+{
+    return (kind == TP_KIND_light && rung)
+        || (kind == TP_KIND_RATE && rung == TP_RATE_COLOUR - TP_RATE_FULL);
+}
+
 bool tp_rung_is_known(const tp_view_costs *view, int kind, uint8_t rung)
 {
     const tp_rung_effect *e = &tp_rung_effects[kind];
 
     if (kind == TP_KIND_VISIBILITY && !view->estimate.fits[rung])
         return false;
-    if (kind == TP_KIND_light && rung && view->estimate.lobe)
+    if (view->estimate.lobe && lights_half_the_columns(kind, rung))
         return false;
     if (e->needs_rung && e->needs_kind == TP_KIND_VISIBILITY
         && !view->estimate.fits[e->needs_rung])

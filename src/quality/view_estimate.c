@@ -17,16 +17,34 @@
 
 /* -- pixels -------------------------------------------------------------------------- */
 
-static uint32_t count_water_rays(const tp_start_view *at)
+/* Returns the square of the part of a colour that haze leaves at a distance z, Q16 m:
+ * h^2 / (z^2 + h^2), see features/sky/haze_stage.c. */
+static uint32_t square_left_by_haze(int64_t z, tp_fx h)
+{
+    const int64_t ratio = (z << 8) / h, most = 1 << 15;         /* 128, Q8 */
+    const int64_t r = ratio < most ? ratio : most;
+    const uint32_t left = (uint32_t)(((int64_t)1 << 32) / (TP_FX_ONE + r * r));
+
+    return (uint32_t)((uint64_t)left * left >> 16);
+}
+
+/* Counts the rays that meet water, of RAYS x RAYS, and averages what haze leaves of it. */
+static uint32_t count_water_rays(const tp_scene *scene, const tp_start_view *at,
+                                 tp_fx *clear)
 {
     uint32_t seen = 0;
+    uint64_t left = 0;
 
     for (int32_t j = 0; j < RAYS; j++)
-        for (int32_t i = 0; i < RAYS; i++)
-            seen += tp_start_view_water_distance_ahead(
-                        at, at->wide * (2 * i + 1 - RAYS) / RAYS,
-                        at->high * (2 * j + 1 - RAYS) / RAYS)
-                    > 0;
+        for (int32_t i = 0; i < RAYS; i++) {
+            const int64_t z = tp_start_view_water_distance_ahead(
+                at, at->wide * (2 * i + 1 - RAYS) / RAYS,
+                at->high * (2 * j + 1 - RAYS) / RAYS);
+            seen += z > 0;
+            if (z > 0 && scene->sky.haze > 0)
+                left += square_left_by_haze(z, scene->sky.haze);
+        }
+    *clear = seen > 0 && scene->sky.haze > 0 ? (tp_fx)(left / seen) : TP_FX_ONE;
     return seen;
 }
 
@@ -318,7 +336,8 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     tp_view_estimate o = { .focal = (int32_t)(((int64_t)height << 15) / at.high) };
     int64_t waves = 0, crests = 0;
 
-    o.water_pixels = (uint32_t)(pixels * count_water_rays(&at) / (RAYS * RAYS));
+    o.water_pixels =
+        (uint32_t)(pixels * count_water_rays(scene, &at, &o.clear) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
     o.vertices = tp_fan_budget(scene) * 9 / 10;     /* seen ones */
     o.in_view = count_vertices_in_view(scene, &at);

@@ -251,17 +251,11 @@ static inline uint32_t tp_env_sample(const tp_shade *shade, int32_t x, int32_t y
                               tp_env_mip_level(shade, shade->env.kind, 0), x, y, z);
 }
 
-/* Returns the share of light beyond white that exact stages add: hdr.share, or none with
- * quality.exposure=fast.  The fast sky always adds it, at no cost. */
-static inline tp_fx tp_exact_hdr_share(const tp_scene *scene)
+/* True if exact stages add light beyond white, of which an alpha of 1 adds `beyond`; with
+ * quality.exposure = fast none does.  The fast sky always adds it, at no cost. */
+static inline bool tp_has_hdr_stages(uint32_t beyond, const tp_scene *scene)
 {
-    return scene->quality.exposure == TP_RUNG_FAST ? 0 : scene->hdr.share;
-}
-
-/* True if exact stages add light beyond white. */
-static inline bool tp_has_hdr_stages(const tp_shade *shade, const tp_scene *scene)
-{
-    return shade->env.beyond && tp_exact_hdr_share(scene) > 0;
+    return beyond > 0 && scene->quality.exposure != TP_RUNG_FAST;
 }
 
 /* Returns 256 times the intensity of light with this alpha [F8]. */

@@ -192,22 +192,13 @@ void tp_dome_init(tp_dome *dome, const tp_dome_config *config)
 
 /* -- the cube map -------------------------------------------------------------------- */
 
-/* Returns the mask of a face's texels.  A PNG without alpha loads with alpha 255 in each
- * texel.  No real face is that bright all over: such a face has no light beyond white. */
-static uint32_t face_texel_mask(const tp_texture *face)
-{
-    TP_ASSERT(face->levels > 0 && face->levels <= TP_TEXTURE_LEVELS);
-    uint32_t mean = face->level[face->levels - 1][0];
-    return mean >> 24 == 255 ? 0x00ffffffu : 0xffffffffu;
-}
-
 bool tp_cube_init(tp_cube *cube, const tp_texture *const face[TP_CUBE_FACES])
 {
     for (int i = 0; i < TP_CUBE_FACES; i++) {
         if (!face[i])
             return false;
         cube->face[i] = face[i];
-        cube->mask[i] = face_texel_mask(face[i]);
+        cube->mask[i] = tp_cube_face_mask(face[i]);
     }
     cube->lod = 0;
     return true;

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include "features/sky/sky.h"
 #include "frame/frame.h"
+#include "world/light.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 
@@ -192,6 +193,60 @@ static void a_camera_that_turns_draws_as_a_fresh_frame_does(void **state)
     free(w);
 }
 
+/* -- light beyond white ---------------------------------------------------------------- */
+
+/* A cube of pictures without alpha, as loaded, or with light beyond white. */
+static tp_assets cube_of_alpha(uint32_t alpha)
+{
+    static uint32_t  texel[16];
+    static tp_texture face;
+    tp_assets a = assets_of(true);
+
+    for (int i = 0; i < 16; i++)
+        texel[i] = alpha << 24 | (uint32_t)(random_next(&chance) & 0xffffff);
+    face = (tp_texture){ .level[0] = texel, .levels = 1, .log2_w = 2, .log2_h = 2 };
+    for (int i = 0; i < TP_FACES; i++)
+        a.sky[i] = &face;
+    return a;
+}
+
+/* Draws the scene without hdr.share and with it; true if the pictures are the same. */
+static bool is_alike_at_any_share(tp_scene *s, const tp_assets *a)
+{
+    for (int i = 0; i < 2; i++) {
+        s->hdr.share = i * TP_FX_ONE;
+        tp_world *w = scene_world(s, a);
+        draw(s, a, w, 0, 0, picture[i]);
+        free(w);
+    }
+    return memcmp(picture[0], picture[1], sizeof picture[0]) == 0;
+}
+
+static void a_sky_has_light_beyond_white_by_its_sun_or_alpha(void **state)
+{
+    static const int32_t kinds[] = { TP_SKY_GRADIENT, TP_SKY_DAY, TP_SKY_DUSK, TP_SKY_NIGHT,
+                                     TP_SKY_CUBE };
+
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        const bool bright = n & 1;
+        const tp_assets a = cube_of_alpha(bright ? 200 : 255);
+        tp_scene s = sky_scene(kinds[n / 2 % 5]);
+        s.boat.mesh[0] = '\0';
+        s.hdr.exposure = TP_EXPOSURE_FIXED;
+        s.quality.exposure = TP_RUNG_EXACT;
+        s.quality.shading = n / 10 & 1 ? TP_SHADING_QUICK : TP_SHADING_EXACT;
+        s.sky.sun = bright ? 8 * TP_FX_ONE : 0;
+        s.water.reflection = TP_FX_ONE;
+        const bool alike = is_alike_at_any_share(&s, &a);
+        const bool has = tp_beyond_white(&s, &a) > 0;
+        assert_int_equal(has, bright && s.sky.kind != TP_SKY_GRADIENT);
+        assert_true(alike || has);
+        if (s.sky.kind == TP_SKY_CUBE)
+            assert_int_equal(alike, !has);
+    }
+}
+
 /* -- a program without one of the skies ------------------------------------------------ */
 
 /* The full module list with another use of the dome, or with none. */
@@ -289,6 +344,7 @@ int main(void)
         cmocka_unit_test(a_cube_with_a_hole_is_the_gradient),
         cmocka_unit_test(skies_are_carved_for_those_who_have_them),
         cmocka_unit_test(a_live_change_is_drawn_as_far_as_there_are_tables),
+        cmocka_unit_test(a_sky_has_light_beyond_white_by_its_sun_or_alpha),
         cmocka_unit_test(a_camera_that_turns_draws_as_a_fresh_frame_does),
         cmocka_unit_test(a_sky_that_a_program_lacks_is_the_gradient_and_is_told),
         cmocka_unit_test(a_mirror_stage_that_a_program_lacks_is_left_out_and_is_told),

@@ -147,12 +147,26 @@ typedef struct {
     double sum, bias, count, far;
 } difference;
 
-/* far: channels off by more than `most`, left out of the sums. */
+/* True if the exact picture draws the pixel: it is in no row between, or differs from the
+ * mean of its neighbours.  Without packed pixels rows that differ are drawn. */
+static bool is_drawn(int x, int y)
+{
+    if (y % 2 == 0 || y % 16 == 15 || y + 1 == HEIGHT)
+        return true;
+    for (int c = 0; c < 3; c++)
+        if (abs(2 * level(exact.pixel[y][x], c) - level(exact.pixel[y - 1][x], c)
+                - level(exact.pixel[y + 1][x], c)) > 3)
+            return true;
+    return false;
+}
+
+/* Compares even rows, and pixels of rows between that are means in both pictures.  far:
+ * channels off by more than `most`, left out of the sums. */
 static void add_difference(difference *d, int most)
 {
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++)
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < 3 && !(y % 2 && is_drawn(x, y)); c++) {
                 const int by = level(packed.pixel[y][x], c) - level(exact.pixel[y][x], c);
                 const int of_255 = c == 1 ? by * 255 / 63 : by * 255 / 31;
                 const bool is_far = abs(of_255) > most;
@@ -190,7 +204,7 @@ static void the_error_is_small(void **state)
                d.bias / d.count, d.far / d.count);
         assert_true(d.sum / d.count > 0.1 && d.sum / d.count < bound[k].mean);
         assert_true(fabs(d.bias / d.count) < bound[k].bias);
-        assert_true(d.far / d.count < 1.5 / HEIGHT);
+        assert_true(d.far / d.count < 0.25 / HEIGHT);
     }
 }
 

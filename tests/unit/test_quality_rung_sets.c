@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -239,12 +240,18 @@ static void each_step_is_cheaper(void **state)
     printf("    %u steps of 40 scenes\n", (unsigned)steps);
 }
 
-/* Fast light lights every second column: a walk takes it only where no lobe shows.  Light
- * ahead over waves has a lobe, light behind the camera over gentle water has none. */
-static void walks_leave_fast_light_out_of_a_lobe(void **state)
+/* True if a set lights every second column only. */
+static bool has_half_columns(const tp_rung_set *set)
 {
-    const uint32_t open = 1u << TP_KIND_SHADING | 1u << TP_KIND_light;
-    uint32_t taken = 0;
+    return set->of[TP_KIND_light] || set->of[TP_KIND_RATE] == 2;
+}
+
+/* Fast light and colours of half rate light every second column: a walk takes them only
+ * where no lobe shows.  Light ahead over waves has a lobe, light behind the camera over
+ * gentle water has none. */
+static void walks_light_every_column_in_a_lobe(void **state)
+{
+    uint32_t taken[2] = { 0 };
 
     (void)state;
     for (int n = 0; n < 40; n++) {
@@ -258,13 +265,38 @@ static void walks_leave_fast_light_out_of_a_lobe(void **state)
             s.wave[i].amplitude /= 8;
         const tp_view_costs view = view_of(&s);
         assert_int_equal(view.estimate.lobe, !(n & 1));
-        tp_set_walk_make(&walk, &view, exact, open);
+        const int kind = n / 2 & 1 ? TP_KIND_light : TP_KIND_RATE;
+        tp_set_walk_make(&walk, &view, exact, 1u << TP_KIND_SHADING | 1u << kind);
         for (uint32_t i = 0; i < walk.count; i++) {
-            assert_false(view.estimate.lobe && walk.set[i].of[TP_KIND_light]);
-            taken += walk.set[i].of[TP_KIND_light];
+            assert_false(view.estimate.lobe && has_half_columns(&walk.set[i]));
+            taken[n / 2 & 1] += has_half_columns(&walk.set[i]);
         }
     }
-    assert_true(taken > 0);
+    assert_true(taken[0] > 0 && taken[1] > 0);
+}
+
+/* Seen straight from above, all level water lies at one distance: what haze of h leaves of a
+ * colour at a distance z, and of an error, is h^2 / (z^2 + h^2). */
+static void errors_fade_in_haze(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = swells_any();
+        tp_rung_set set = { .of = { 0 } };
+        s.camera.pitch = -90 * TP_FX_ONE;
+        s.camera.fov = 4 * TP_FX_ONE;
+        s.sky.haze = 0;
+        set.of[TP_KIND_lines] = 1;
+        const tp_view_costs clear = view_of(&s);
+        const double was = (double)tp_set_price_estimate(&clear, &set).square;
+        s.sky.haze = chance_fx(&chance, 1, 100);
+        const tp_view_costs hazy = view_of(&s);
+        const double now = (double)tp_set_price_estimate(&hazy, &set).square;
+        const double z = s.camera.y / 65536.0, h = s.sky.haze / 65536.0;
+        const double left = h * h / (z * z + h * h);
+        assert_true(was > 0 && now > 0);
+        assert_true(fabs(now / was - left * left) < 0.01 + 2 / was);
+    }
 }
 
 static void kinds_that_are_not_open_stay(void **state)
@@ -317,7 +349,8 @@ int main(void)
         cmocka_unit_test(errors_that_are_measured_are_never_predicted_as_zero),
         cmocka_unit_test(replaced_rungs_change_nothing),
         cmocka_unit_test(each_step_is_cheaper),
-        cmocka_unit_test(walks_leave_fast_light_out_of_a_lobe),
+        cmocka_unit_test(walks_light_every_column_in_a_lobe),
+        cmocka_unit_test(errors_fade_in_haze),
         cmocka_unit_test(kinds_that_are_not_open_stay),
         cmocka_unit_test(refined_sets_err_less_and_stay_within_the_cost),
     };

@@ -58,7 +58,7 @@ static tp_stage select_dome_sky_stage(const tp_frame *frame, const tp_stage *sta
 
     if (is_sky_fast(frame) && stage[DOME_SKY_FAST])
         return stage[DOME_SKY_FAST];
-    if (tp_has_hdr_stages(&frame->shade, frame->scene))
+    if (tp_has_hdr_stages(frame->shade.env.beyond, frame->scene))
         return stage[DOME_SKY_HDR];
     if (frame->rungs.shading == TP_SHADING_QUICK && env->stars == 0
         && stage[DOME_SKY_QUICK])
@@ -205,7 +205,8 @@ static tp_stage select_cube_sky_stage(const tp_frame *frame, const tp_stage *sta
 {
     if (is_sky_fast(frame) && stage[CUBE_SKY_FAST])
         return stage[CUBE_SKY_FAST];
-    return stage[tp_has_hdr_stages(&frame->shade, frame->scene) ? CUBE_SKY_HDR : CUBE_SKY];
+    return stage[tp_has_hdr_stages(frame->shade.env.beyond, frame->scene) ? CUBE_SKY_HDR
+                                                                          : CUBE_SKY];
 }
 
 static void add_cube_stages(const tp_frame *frame, const void *mine, const tp_stage *stage,
@@ -359,7 +360,7 @@ static void count_hdr_pixel_work(tp_site *w, const tp_work_pixels *px)
 {
     const tp_scene *s = w->scene;
 
-    if (tp_exact_hdr_share(s) <= 0)
+    if (!tp_has_hdr_stages(tp_beyond_white(s, w->assets), s))
         return;
     w->fixed_cost.of[TP_WORK_sky_hdr] = px->sky;
     w->fixed_cost.of[TP_WORK_hdr] = s->water.reflection > 0 ? px->water : 0;

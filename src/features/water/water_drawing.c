@@ -260,7 +260,7 @@ static void add_reflect_and_fresnel_stages(const tp_frame *frame, const tp_stage
                                            tp_shaders *list)
 {
     const bool hdr =
-        tp_has_hdr_stages(&frame->shade, frame->scene) && stage[TP_NTH_fresnel_hdr];
+        tp_has_hdr_stages(frame->shade.env.beyond, frame->scene) && stage[TP_NTH_fresnel_hdr];
 
     if (frame->shade.env.kind == TP_ENV_GRADIENT)
         tp_shaders_add(list, TP_AT_REFLECT, stage[TP_NTH_reflect_gradient], NULL);
