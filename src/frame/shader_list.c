@@ -296,7 +296,7 @@ void tp_frame_set_up_shading(tp_frame *frame)
     shade->ripple = NULL;
     shade->fresnel = tp_fresnel_table;
     set_sky_gradient(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
-    shade->env = (tp_env){ .beyond = tp_beyond_white(scene, &frame->assets) };
+    shade->env = (tp_env){ 0 };
     frame->tone_map = NULL;
     tp_frame_begin_modules(frame);
     fill_shader_lists(frame);

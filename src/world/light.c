@@ -36,23 +36,6 @@ tp_dome_config tp_dome_config_make(const tp_scene *scene)
     };
 }
 
-static bool has_light_beyond_white(const tp_scene *scene, const tp_assets *assets)
-{
-    if (tp_has_dome(scene))
-        return scene->sky.sun > 0;
-    if (tp_has_cube(scene, assets))
-        for (int i = 0; i < TP_FACES; i++)
-            if (tp_cube_face_mask(assets->sky[i]) >> 24)
-                return true;
-    return false;
-}
-
-uint32_t tp_beyond_white(const tp_scene *scene, const tp_assets *assets)
-{
-    return has_light_beyond_white(scene, assets)
-               ? (uint32_t)scene->hdr.share * TP_WHITES >> 8 : 0;
-}
-
 static void save_last_light(tp_world *world)
 {
     world->last_light_heading = world->light_heading;

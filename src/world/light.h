@@ -13,11 +13,6 @@ tp_dir3 tp_light_direction(tp_turn heading, tp_turn elevation);
 bool tp_has_dome(const tp_scene *scene);
 tp_dome_config tp_dome_config_make(const tp_scene *scene);
 
-/* Returns the whites, Q8, that an alpha of 1 in the sky's colours adds [F8]: by hdr.share; 0
- * if the sky has no light beyond white, that is a gradient, a dome without a sun, or a cube
- * of pictures without alpha. */
-uint32_t tp_beyond_white(const tp_scene *scene, const tp_assets *assets);
-
 void tp_light_init(tp_world *world, const tp_scene *scene);
 /* Takes over a changed direction of the scene's light, and the exposure if it is fixed.
  * Otherwise a light moved by time or input stays. */

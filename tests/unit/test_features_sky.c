@@ -9,7 +9,6 @@
 #include <cmocka.h>
 #include "features/sky/sky.h"
 #include "frame/frame.h"
-#include "world/light.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/frames.h"
 

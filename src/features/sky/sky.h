@@ -28,6 +28,11 @@
 #define TP_SKY_CUBE_ID TP_MODULE_ID('s', 'k', 'y', 'c')
 #define TP_STARS_ID    TP_MODULE_ID('s', 't', 'a', 'r')
 
+/* Returns the whites, Q8, that an alpha of 1 in the sky's colours adds [F8]: by hdr.share; 0
+ * if the sky has no light beyond white, that is a gradient, a dome without a sun, or a cube
+ * of pictures without alpha. */
+uint32_t tp_beyond_white(const tp_scene *scene, const tp_assets *assets);
+
 /* -- helpers of the stages ----------------------------------------------------------- */
 
 /* Returns the colour of a sky look-up.  `hdr` is a literal: 1 adds the light above white,

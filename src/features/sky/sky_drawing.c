@@ -6,6 +6,25 @@
 #include "frame/frame.h"
 #include "quality/prices.h"
 
+/* -- light beyond white -------------------------------------------------------------- */
+
+static bool has_light_beyond_white(const tp_scene *scene, const tp_assets *assets)
+{
+    if (tp_has_dome(scene))
+        return scene->sky.sun > 0;
+    if (tp_has_cube(scene, assets))
+        for (int i = 0; i < TP_FACES; i++)
+            if (tp_cube_face_mask(assets->sky[i]) >> 24)
+                return true;
+    return false;
+}
+
+uint32_t tp_beyond_white(const tp_scene *scene, const tp_assets *assets)
+{
+    return has_light_beyond_white(scene, assets)
+               ? (uint32_t)scene->hdr.share * TP_WHITES >> 8 : 0;
+}
+
 /* -- a generated sky ----------------------------------------------------------------- */
 
 /* The tables are rebuilt when the scene's sky numbers have changed. */
@@ -40,6 +59,7 @@ static void begin_dome(tp_frame *frame, void *mine)
     if (scene->water.specular > 0)      /* the glitter is the disc's reflection */
         env->least = TP_DISC_END;
     env->kind = TP_ENV_DOME;
+    env->beyond = tp_beyond_white(scene, &frame->assets);
     env->dome = dome;
 }
 
@@ -197,6 +217,7 @@ static void begin_cube(tp_frame *frame, void *mine)
 
     sky->cube.lod = (sky->cube.face[0]->log2_w - 1) * 256 - focal;
     env->kind = TP_ENV_CUBE;
+    env->beyond = tp_beyond_white(frame->scene, &frame->assets);
     env->cube = &sky->cube;
     env->recip = sky->recip;
 }
