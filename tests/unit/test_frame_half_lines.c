@@ -72,17 +72,22 @@ static int difference(uint32_t a, uint32_t b)
     return sum;
 }
 
-/* True if the rows beside the pixel's block of eight columns differ by 16 levels a channel
+static int green_difference(uint32_t a, uint32_t b)
+{
+    return abs((int)(a >> 8 & 255) - (int)(b >> 8 & 255));
+}
+
+/* True if the rows beside the pixel's block of eight columns differ by 16 levels of green
  * in the mean of a whole block.  Other pixels part a block: each part counts alone. */
 static bool is_apart(int x, int y)
 {
     int sum = 0;
 
     for (int i = x; i >= x / 8 * 8 && is_inside(i, y); i--)
-        sum += difference(full[y - 1][i], full[y + 1][i]);
+        sum += green_difference(full[y - 1][i], full[y + 1][i]);
     for (int i = x + 1; i < x / 8 * 8 + 8 && is_inside(i, y); i++)
-        sum += difference(full[y - 1][i], full[y + 1][i]);
-    return sum >= 8 * 3 * 16;
+        sum += green_difference(full[y - 1][i], full[y + 1][i]);
+    return sum >= 8 * 16;
 }
 
 /* True if a pixel of a row between is a mean: all three are water, and the rows alike. */
