@@ -4,10 +4,11 @@
  *
  * Fast light of every second column (quality.light = fast) leaves the colours of even
  * columns; these alone are tone-mapped and packed.  With quality.lines = half a mean row is
- * made from the pixels of its neighbours, however they differ; so is the sky if it is the fast one.  Pixels go
- * straight to the tile and are read there again; those of rows beside the tile take the
- * place of the samples' normals: a run writes over normals of its own columns and of columns
- * before them. */
+ * made from the pixels of its neighbours, however they differ; so is the sky if it is the
+ * fast one.  Pixels go straight to the tile and are read there again; those of rows beside
+ * the tile take the place of the samples' normals: a run writes over normals of its own
+ * columns and of columns before them.
+ */
 #include "frame/frame.h"
 #include "pixel/packed_blend.h"
 
