@@ -52,8 +52,8 @@ static void shade_row(const tp_frame *frame, const tp_gbuffer *tile,
 
 /* Returns the number of pixels, up to `limit`, with water both above and below, or without;
  * *both says which. */
-TP_NEVER_INLINE int32_t count_alike(const uint32_t *above, const uint32_t *below,
-                                    int32_t limit, bool *both)
+static int32_t count_alike(const uint32_t *above, const uint32_t *below, int32_t limit,
+                           bool *both)
 {
     int32_t n = 1;
 
@@ -104,6 +104,18 @@ static int32_t count_near(const uint32_t *above, const uint32_t *below, int32_t 
     return n;
 }
 
+/* Returns the number of pixels from column x on, up to `limit`, that are means, or that are
+ * none; *mean says which.  `at`: index of the first one in the tile. */
+TP_NEVER_INLINE int32_t count_means(const tp_gbuffer *tile, size_t at, int32_t x,
+                                    int32_t limit, bool *mean)
+{
+    const uint32_t *key = tile->key + at, *colour = tile->n + at;
+    const size_t stride = tile->stride;
+    const int32_t count = count_alike(key - stride, key + stride, limit, mean);
+
+    return *mean ? count_near(colour - stride, colour + stride, x, count, mean) : count;
+}
+
 static void mix(uint32_t *to, const uint32_t *above, const uint32_t *below, int32_t count)
 {
     for (int32_t i = 0; i < count; i++)
@@ -117,8 +129,6 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
 {
     const size_t at = row_index(tile, y);
     const bool last = y + 1 >= tile->y1, alike = is_alike(found, y), level = !found;
-    const uint32_t *above = tile->key + at - tile->stride;
-    const uint32_t *below = tile->key + at + tile->stride;
     uint32_t *to = tile->n + at;
     tp_run run;
 
@@ -128,10 +138,7 @@ static void fill_mean_row(const tp_frame *frame, const tp_gbuffer *tile,
                                                     alike, &run);
         bool mean = false;
         if (!last && TP_MARK(run.key[0]) == TP_MARK_WATER)
-            run.count = count_alike(above + i, below + i, run.count, &mean);
-        if (mean)
-            run.count = count_near(to + i - tile->stride, to + i + tile->stride, x,
-                                   run.count, &mean);
+            run.count = count_means(tile, at + (size_t)i, x, run.count, &mean);
         if (mean) {
             mix(to + i, to + i - tile->stride, to + i + tile->stride, run.count);
             continue;
