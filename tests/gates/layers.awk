@@ -10,7 +10,8 @@
 #
 # app, tools, linuxfb, kms, null and library may include all headers of src. Other ports
 # include the public headers and their own, and from src those named in `grants`:
-#   rpi, cortex-m   share one block of memory (base.h), print a picture's checksum (pixel.h),
+#   rpi, cortex-m, pico
+#                   share one block of memory (base.h), print a picture's checksum (pixel.h),
 #                   count pixels of water (tools.h), write buttons as a tape (text.h)
 #   serial          a serial line has the tape's format, and sets rows by text (text.h)
 #   interact        keeps a world's state over a change (world.h, exposure.h), and finds
@@ -45,6 +46,7 @@ BEGIN {
         tool[tools[i]]
     split("rpi=base/base.h rpi=pixel/pixel.h cortex-m=base/base.h " \
           "cortex-m=pixel/pixel.h cortex-m=frame/tools.h cortex-m=world/text.h " \
+          "pico=base/base.h pico=pixel/pixel.h pico=frame/tools.h pico=world/text.h " \
           "serial=base/base.h serial=world/text.h " \
           "serial=world/pools.h serial=features/drops/drops.h " \
           "interact=fixed/arithmetic.h interact=world/text.h interact=world/world.h " \
@@ -65,6 +67,7 @@ BEGIN {
         free[system_header[i]]
     split("app=tools tools=app app=interact app=cortex-m null=app kms=app linuxfb=app " \
           "serial=interact rpi=serial rpi=interact cortex-m=serial cortex-m=lcd web=interact " \
+          "pico=serial pico=lcd pico=cortex-m " \
           "library=app library=interact", sights, " ")
     for (i in sights)
         guest[sights[i]]

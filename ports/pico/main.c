@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: MIT */
+/* The baked scene, live on a Raspberry Pi Pico with an SPI panel.  Both cores draw tiles:
+ * each takes the next tile, draws it into a scratch of its own and passes it to the panel's
+ * driver, which sends it by DMA while the cores draw on.  Core 0 also makes the ticks.
+ *
+ * Ticks follow the clock; buttons and command lines over the serial port change the scene
+ * (serial/buttons.h, serial/control.h).  Input is echoed as lines of a tape
+ * (world/text.h).  The scene lies in RAM, where commands change it; board.mk names the
+ * modules that commands may switch on. */
+#include "base/base.h"
+#include "cortex-m/baked.h"
+#include "cortex-m/frame_crc.h"
+#include "cortex-m/trace_marks.h"
+#include "frame/tools.h"
+#include "pico.h"
+#include "pixel/pixel.h"
+#include "serial/buttons.h"
+#include "serial/control.h"
+#include "world/text.h"
+
+#ifndef PICO_PANEL
+#define PICO_PANEL lcd_ili9341
+#endif
+#ifndef PICO_CORES
+#define PICO_CORES 2
+#endif
+enum { CORES = PICO_CORES };
+
+#define SECOND_US     1000000u
+#define TICKS_AT_ONCE 8             /* a larger backlog is dropped: water slows down */
+
+static const tp_program *const program = &baked_program;
+static const tp_config *const picture = &baked_config;
+
+static tp_scene  scene;
+static control   lines;
+static buttons   pressed;
+static lcd       panel;
+static void     *sends;             /* the panel's buffers */
+static tp_world *world;
+static tp_frame *frame;
+static void     *scratch[CORES];
+static uint32_t  next_tile;         /* under LOCK_TILES */
+static lcd_status status;           /* of this frame; under LOCK_PANEL */
+static uint32_t  last_us;           /* clock at the last call of elapsed */
+static uint32_t  owed;              /* ticks due, in 1/60 us of the clock */
+static uint32_t  sent_bytes;        /* sent for the last frame */
+static uint32_t  frame_us;          /* duration of the last frame, us */
+
+TRACE_MARK(count_as_frame)
+TRACE_MARK(count_as_tiles)
+TRACE_MARK(count_as_tick)
+TRACE_MARK(count_end)
+
+/* -- replies ------------------------------------------------------------------------- */
+
+static void say(const char *what, size_t n)
+{
+    pico_text(NULL, what);
+    pico_number((uint32_t)n, 10, 1);
+}
+
+_Noreturn static void halt_with_error(const char *why)
+{
+    pico_text(NULL, "\nerror ");
+    pico_text(NULL, why);
+    pico_text(NULL, "\n");
+    for (;;)
+        ;
+}
+
+/* Draws the picture again, by this core alone, only for its CRC. */
+static uint32_t crc_of_picture(void)
+{
+    tp_tile  tile;
+    uint32_t crc = 0;
+    tp_frame_begin(frame, world);
+    for (uint32_t i = 0; tp_frame_draw_tile(frame, i, scratch[0], &tile); i++)
+        crc = frame_crc_add_tile(crc, picture, &tile);
+    return crc;
+}
+
+static void say_state(void *unused)
+{
+    pico_text(unused, " crc32 ");
+    pico_number(crc_of_picture(), 16, 8);
+    say(", bytes sent ", sent_bytes);
+    say(", us ", frame_us);
+    say(", dropped ", tp_frame_stats(frame).dropped);
+    say(", stack ", start_stack_used(0));
+    say(" ", start_stack_used(1));
+}
+
+static void say_input(const tp_input *input)
+{
+    const tp_tape_entry entry = { tp_world_tick(world), *input };
+    char text[TP_TAPE_LINE];
+    if (tp_tape_write(&entry, text, sizeof text)) {
+        pico_text(NULL, text);
+        pico_text(NULL, "\n");
+    }
+}
+
+/* -- memory -------------------------------------------------------------------------- */
+
+/* Allocates memory in the arena and reports its size in the first line. */
+static void *take(tp_arena *arena, const char *what, size_t bytes)
+{
+    void *memory = tp_arena_alloc(arena, 1, bytes);
+    say(what, bytes);
+    if (!memory)
+        halt_with_error("that does not fit");
+    return memory;
+}
+
+static void open_panel(void)
+{
+    const lcd_config config = {
+        .panel = &PICO_PANEL,
+        .turn = 1,
+        .frame = *picture,
+        .wires = { NULL, panel_command, panel_data, panel_wait, panel_pause },
+    };
+    panel_open();
+    const lcd_status opened = lcd_open(&panel, &config, sends);
+    if (opened != LCD_OK && opened != LCD_E_BLOCKED)
+        halt_with_error(lcd_status_text(opened));
+}
+
+static void open_scene(void)
+{
+    const lcd_config config = {
+        .panel = &PICO_PANEL, .turn = 1, .frame = *picture,
+        .wires = { NULL, panel_command, panel_data, panel_wait, panel_pause },
+    };
+    const size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
+    tp_arena arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
+    tp_error err;
+    char     text[160];
+
+    scene = baked_scene;
+    world = take(&arena, "ram world ", bytes);
+    for (int core = 0; core < CORES; core++)
+        scratch[core] = take(&arena, " scratch ", tp_frame_scratch_bytes(picture, &scene));
+    const size_t frame_bytes = tp_frame_bytes(picture, &scene);
+    void *block = take(&arena, " frame ", frame_bytes);
+    sends = take(&arena, " panel ", lcd_bytes(&config, NULL));
+    say(" left ", arena.bytes - arena.used);
+    if (tp_world_init(program, world, bytes, &scene, &baked_assets, &err)
+        || tp_frame_init(&frame, picture, &scene, block, frame_bytes, &err)) {
+        tp_error_text(&err, text, sizeof text);
+        halt_with_error(text);
+    }
+    pico_text(NULL, "\n");
+}
+
+/* -- pictures ------------------------------------------------------------------------ */
+
+static uint32_t take_tile(void)
+{
+    cores_lock(LOCK_TILES);
+    const uint32_t i = next_tile++;
+    cores_unlock(LOCK_TILES);
+    return i;
+}
+
+static bool draw_tile(tp_tile *tile)
+{
+    const uint32_t i = take_tile();
+    count_as_tiles();
+    const bool drawn = tp_frame_draw_tile(frame, i, scratch[pico_core()], tile);
+    count_end();
+    return drawn;
+}
+
+/* Draws and sends tiles until none is left; each core runs this function.  Tiles reach the
+ * panel in any order, each in a window of its own. */
+static void draw_tiles(void)
+{
+    tp_tile tile;
+    while (draw_tile(&tile)) {
+        cores_lock(LOCK_PANEL);
+        if (status == LCD_OK)
+            status = lcd_tile(&panel, &tile);
+        cores_unlock(LOCK_PANEL);
+    }
+}
+
+/* Core 1: draws when core 0 sends a word, and answers when no tile is left. */
+static void help(void)
+{
+    for (;;) {
+        const uint32_t word = cores_receive();
+        draw_tiles();
+        cores_send(word);
+    }
+}
+
+static void draw_and_send(void)
+{
+    count_as_frame();
+    tp_frame_begin(frame, world);
+    count_end();
+    lcd_begin(&panel);
+    next_tile = 0;
+    status = LCD_OK;
+    if (CORES > 1)
+        cores_send(1);
+    draw_tiles();
+    if (CORES > 1)
+        cores_receive();
+    if (status == LCD_OK)
+        status = lcd_end(&panel);
+}
+
+static void show(void)
+{
+    const uint64_t sent_before = panel.sent;
+    const uint32_t from = pico_us();
+
+    lines.changed = false;
+    draw_and_send();
+    frame_us = pico_us() - from;
+    sent_bytes = (uint32_t)(panel.sent - sent_before);
+    if (status != LCD_OK)
+        open_panel();                   /* the panel blocks: start again */
+}
+
+/* -- time ---------------------------------------------------------------------------- */
+
+static void tick(void)
+{
+    const tp_input input = control_take(&lines);
+    say_input(&input);
+    count_as_tick();
+    tp_world_step(program, world, &scene, &input);
+    count_end();
+}
+
+static uint32_t elapsed(void)
+{
+    const uint32_t now = pico_us(), us = now - last_us;
+    last_us = now;
+    return us < SECOND_US ? us : SECOND_US;
+}
+
+/* Makes the ticks now due: those of a `step` command at once, others by the clock. */
+static bool make_ticks(void)
+{
+    bool made = false;
+    owed += elapsed() * TP_TICKS_PER_SECOND;
+    if (owed > TICKS_AT_ONCE * SECOND_US)
+        owed = TICKS_AT_ONCE * SECOND_US;
+    for (; owed >= SECOND_US; owed -= SECOND_US)
+        if (control_reads(&lines) && control_ticks(&lines)) {
+            tick();
+            made = true;
+        }
+    while (!control_reads(&lines) && control_ticks(&lines)) {
+        tick();
+        made = true;
+    }
+    return made;
+}
+
+int main(void)
+{
+    static control_setup setup;
+    uint8_t byte;
+
+    pico_open();
+    open_scene();
+    open_panel();
+    if (CORES > 1)
+        cores_start(help);
+    setup = (control_setup){
+        .shown = &scene, .scene = &scene, .config = picture, .world = world,
+        .world_bytes = tp_world_bytes(program, &baked_scene, &baked_assets),
+        .write = pico_text, .state = say_state,
+    };
+    control_begin(&lines, &setup);
+    pressed.lines = pico_buttons();
+    pico_text(NULL, "ok ");
+    pico_text(NULL, scene.title);
+    pico_text(NULL, "\n");
+    lines.changed = true;
+    for (;;) {
+        while (control_reads(&lines) && pico_byte(&byte))
+            control_byte(&lines, byte);
+        buttons_read(&pressed, pico_buttons(), world, &scene, &lines.input);
+        if (make_ticks() || lines.changed)
+            show();
+    }
+}
