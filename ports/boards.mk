@@ -95,6 +95,15 @@ $(BUILD)/scenes/%.elf: $(if $(BAKE),$(BUILD)/baked,build/baked/$(MACHINE))/%.o \
           $(BOARD_O) $(LIB) $(LD_FILES)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
+# The content of a board's flash, in whole pages of 256 bytes; and the same in the format
+# that the boot ROM of an RP2040 takes.
+uf2: $(BUILD)/scenes/$(SCENE).uf2
+%.bin: %.elf
+	$(SAY)$(OBJCOPY) -O binary $< $@ && truncate -s %256 $@
+%.uf2: %.bin ports/pico/uf2.S
+	$(SAY)$(CC) $(ARCH) -c -DIMAGE='"$<"' -DBLOCKS=$$(($$(wc -c <$<) / 256)) \
+	    ports/pico/uf2.S -o $@.o
+	@$(OBJCOPY) -O binary -j .uf2 $@.o $@ && rm $@.o
 # The program for raw screens.
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(call objects,$(SCREEN)) \
           build/baked/$(MACHINE)/%.o $(LIB)
@@ -103,4 +112,4 @@ $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(call objects,$
 
 list-scenes:
 	@echo $(SCENES)
-.PHONY: elf elves list-scenes
+.PHONY: elf elves uf2 list-scenes

@@ -20,7 +20,7 @@ const { Chip, RAM } = require('./chip.js');
 const { Panel } = require('./panel.js');
 
 const [client, image] = process.argv.slice(2);
-const package_ = createRequire(path.join(client, 'x.js'))('rp2040js');
+const package_ = createRequire(path.resolve(client, 'x.js'))('rp2040js');
 const KINDS = ['end', 'frame', 'tiles', 'tick'];
 const PIN_DC = 1 << 20, STACKS = [0x41000, 0x40000], PAINT = 0xa5a5a5a5;
 const LIMIT = 4e9;                      // cycles after which the program has failed

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Stand-in for the Pico SDK's hardware_spi, hardware_dma, hardware_gpio and pico_time. */
+/* Stand-in for the Pico SDK's hardware_spi, hardware_dma, hardware_gpio and pico_time; what
+ * only ports/pico/sdk calls is declared in pico_project.h. */
 #include "tests/boards/sdk/sdk.h"
 
 typedef unsigned uint;

@@ -1,0 +1,146 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# A Raspberry Pi Pico, emulated by the npm package rp2040js: the boot ROM accepts the image,
+# both cores draw, and the panel shows the host's pictures.  The project for the Pico SDK
+# is compiled against stand-ins.
+#
+#   tests/boards/pico.sh [PROGRAM]
+. "$(dirname "$0")/../lib/script.sh"
+
+program=${TP_PROGRAM:-${1:-build/host/tidepool}}
+scene=count-64@64
+here=tests/boards/pico
+client=build/tests/pico                 # the package is installed here
+image=build/pico/scenes/$scene
+
+# -- the project for the SDK -----------------------------------------------------------
+
+# Each header of the SDK is the stand-in.
+sdk_compiles()
+{
+    mkdir -p "$scratch/pico" "$scratch/hardware"
+    for header in pico/stdlib pico/multicore pico/mutex hardware/dma hardware/spi; do
+        echo '#include "tests/boards/sdk/pico_project.h"' >"$scratch/$header.h"
+    done
+    cc -std=c11 -Wall -Wextra -Wconversion -Wno-unused-function -Werror -I"$scratch" \
+        -Iinclude -Iports -I. -c ports/pico/sdk/main.c -o "$scratch/sdk.o"
+}
+check "the project for the SDK compiles against stand-ins" sdk_compiles
+sdk_files()     # files that the CMake project names exist; scene.c is baked
+{
+    sed -n 's,.*${root}/\([a-z0-9/]*\.c\).*,\1,p' ports/pico/sdk/CMakeLists.txt |
+        tr ' ' '\n' >"$scratch/named"
+    [ -s "$scratch/named" ] && while read -r file; do [ -f "$file" ] || return 1; done \
+        <"$scratch/named"
+}
+check "its files exist" sdk_files
+
+lacks arm-none-eabi-gcc gcc-arm-none-eabi "the Raspberry Pi Pico" && { finish; exit; }
+
+# -- the program -----------------------------------------------------------------------
+
+check "the program builds, as UF2 too" alone build -s BOARD=pico SCENE=$scene elf uf2
+[ "$failed" = 0 ] || { finish; exit; }
+
+other_build()   # OPTION: main.c with another panel or number of cores
+{
+    arm-none-eabi-gcc -std=c11 -mcpu=cortex-m0plus -mthumb -ffreestanding -Wall -Wextra \
+        -Werror -Iinclude -Iports -Isrc "$@" -fsyntax-only ports/pico/main.c
+}
+check "it compiles for an ST7789" other_build -DPICO_PANEL=lcd_st7789
+check "it compiles for one core" other_build -DPICO_CORES=1
+
+for tool in node=nodejs npm=npm; do
+    lacks "${tool%=*}" "${tool#*=}" "the Raspberry Pi Pico, emulated" && { finish; exit; }
+done
+if ! cmp -s $here/package-lock.json $client/package-lock.json ||
+        [ ! -d $client/node_modules/rp2040js ]; then
+    mkdir -p $client
+    cp $here/package.json $here/package-lock.json $here/.npmrc $client
+    check "the emulator is installed" npm ci --prefix $client --no-audit --no-fund \
+        --ignore-scripts --no-update-notifier --cache "$scratch/npm"
+fi
+
+uf2_holds()     # the blocks of the UF2 file hold the image
+{
+    node -e '
+const fs = require("fs"), [uf2, image] = process.argv.slice(1).map(f => fs.readFileSync(f));
+const pages = [];
+for (let at = 0; at < uf2.length; at += 512)
+    if (uf2.readUInt32LE(at) === 0x0a324655 && uf2.readUInt32LE(at + 508) === 0x0ab16f30
+            && uf2.readUInt32LE(at + 12) === 0x10000000 + at / 2)
+        pages.push(uf2.subarray(at + 32, at + 288));
+process.exit(Buffer.concat(pages).equals(image) ? 0 : 1);' "$1" "$2"
+}
+check "the UF2 file holds the image" uf2_holds "$image.uf2" "$image.bin"
+refuse "not another file" uf2_holds "$image.uf2" "$image.elf"
+
+# -- frames ----------------------------------------------------------------------------
+
+emulated()      # IMAGE: two frames into $scratch/said
+{
+    arm-none-eabi-nm "$image.elf" | timeout 300 node $here/run.js $client "$1" \
+        >"$scratch/said"
+}
+said()          # WORD COLUMN: of the line of the last frame that begins with the word
+{
+    awk -v word="$1" -v column="$2" '$1 == word { found = $column } END { print found }' \
+        "$scratch/said"
+}
+frames_are()    # FIRST: both frames equal the host's
+{
+    grep '^frame' "$scratch/said" | sed 's/^frame [0-9]* //' >"$scratch/got"
+    "$program" render "${scene%@*}" --texels "${scene#*@}" --size 320x240 --hash \
+        --format rgb565be --frames "$1:$(($1 + 1))" | sed 's/^frame [0-9]* //' |
+        diff - "$scratch/got"
+}
+both_draw()     # each core draws two fifths of the tiles' work at least
+{
+    awk '$1 == "instructions" && ($6 < 0.4 * ($6 + $7) || $7 < 0.4 * ($6 + $7)) { bad = 1 }
+        $1 == "instructions" { n++ } END { exit bad || n != 2 }' "$scratch/said"
+}
+stacks_hold()   # with room for an exception's frame
+{
+    awk '$1 == "stack" && ($3 == 0 || $3 > 4096 - 256) { bad = 1 }
+        $1 == "stack" { n++ } END { exit bad || n != 2 }' "$scratch/said"
+}
+answers()       # each line is answered
+{
+    for answer in pause "step 60" "step 1"; do
+        grep -q "^ok $answer" "$scratch/said" || return 1
+    done
+}
+check "the boot ROM starts it, and it draws" emulated "$image.bin"
+check "frames 60 and 61 are the host's" frames_are 60
+refuse "they are not 61 and 62" frames_are 61
+check "both cores draw" both_draw
+check "the stacks stay in their banks" stacks_hold
+check "the serial port answers" answers
+check "the panel is turned, rows from its long side" grep -q '^panel walk 28' "$scratch/said"
+
+# Milliseconds of frame 61 at 133 MHz, without the wait for flash: begin and the busier
+# core's tiles; begin and all tiles.
+begin=$(said cycles 3) first=$(said cycles 6) second=$(said cycles 7)
+busier=$((first > second ? first : second))
+two=$(((begin + busier) / 133000)) one=$(((begin + first + second) / 133000))
+echo "frame 61: $two ms by two cores, $one ms by one; stacks $(sed -n 's/^stack . //p' \
+    "$scratch/said" | tr '\n' ' ')"
+told()          # the page gives these figures, within a tenth
+{
+    for figure in "$two two" "$one one"; do
+        page=$(sed -n "s/.* \([0-9]*\) ms by ${figure#* } core.*/\1/p" ports/pico/README.md)
+        [ "$((10 * page))" -ge "$((9 * ${figure% *}))" ] &&
+            [ "$((10 * page))" -le "$((11 * ${figure% *}))" ] || return 1
+    done
+}
+check "the page gives the measured time" told
+
+# -- a wrong image ---------------------------------------------------------------------
+
+spoilt()        # a byte of stage 2 differs from what its CRC says
+{
+    { head -c 20 "$image.bin"; printf '\377'; tail -c +22 "$image.bin"; } >"$scratch/bad.bin"
+    ! emulated "$scratch/bad.bin" && grep -q "refuses stage 2" "$scratch/said"
+}
+check "the boot ROM refuses a spoilt stage 2" spoilt
+finish
