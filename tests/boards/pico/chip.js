@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An RP2040 of rp2040js with what that package leaves out: a second core, the FIFOs between
-// the cores, the spin locks' owner, the boot ROM's part in starting a program and a core,
+// the cores, a divider for each core, the boot ROM's part in starting a program and a core,
 // and the time that a byte takes on the SPI.
 //
 // Cycles are those of rp2040js: a Cortex-M0+ whose memory has no wait states, neither for
@@ -10,6 +10,8 @@
 const FLASH = 0x10000000, RAM = 0x20000000, STAGE2 = 0x20041f00;
 const RAM_BYTES = 264 * 1024, SLICE = 64;       // cycles that a core runs at a time
 const SIO_CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58;
+const DIV_UNSIGNED = 0x60, DIV_SIGNED = 0x68, DIV_QUOTIENT = 0x70, DIV_REMAINDER = 0x74;
+const DIV_CYCLES = 8;
 const FIFO_WORDS = 8, CAME = 1, ROOM = 2;
 const PSM_FRCE_OFF = 4, PROC1 = 1 << 16;
 const START = 3;                                // words of the start: 0 0 1 table sp entry
@@ -35,7 +37,8 @@ class Chip {
         this.cores = [this.rp2040.core, new this.rp2040.core.constructor(this.rp2040)];
         this.marks = marks;
         for (const core of this.cores)
-            Object.assign(core, { kind: 0, fifo: [], on: false, spent: new Float64Array(kinds),
+            Object.assign(core, { kind: 0, fifo: [], divider: {}, on: false,
+                                  spent: new Float64Array(kinds),
                                   done: new Float64Array(kinds) });
         this.starting = 0;              // words of the start that core 1 has accepted
         this.ram32 = new Uint32Array(this.rp2040.sram.buffer);
@@ -82,12 +85,16 @@ class Chip {
             case FIFO_ST:   return (this.core.fifo.length ? CAME : 0)
                                  | (this.other.fifo.length < FIFO_WORDS ? ROOM : 0);
             case FIFO_RD:   return this.core.fifo.shift();
+            case DIV_QUOTIENT: case DIV_REMAINDER:
+                return this.divided(offset === DIV_QUOTIENT);
             default:        return read(offset);
             }
         };
         sio.writeUint32 = (offset, word) => {
             if (offset === FIFO_ST)
                 return;
+            if (offset >= DIV_UNSIGNED && offset < DIV_QUOTIENT)
+                return this.divide(offset, word);
             if (offset !== FIFO_WR)
                 return write(offset, word);
             if (this.other === this.cores[1] && !this.other.on)
@@ -95,6 +102,20 @@ class Chip {
             else
                 this.post(this.other, word);
         };
+    }
+
+    // Registers of this core's divider: unsigned and signed dividend and divisor.
+    divide(offset, word) {
+        const d = this.core.divider, isDivisor = !!(offset & 4);
+        d[isDivisor ? 'divisor' : 'dividend'] = offset >= DIV_SIGNED ? word | 0 : word >>> 0;
+        d.ready = this.core.cycles + DIV_CYCLES;
+    }
+
+    divided(isQuotient) {
+        const { dividend, divisor, ready } = this.core.divider;
+        if (this.core.cycles < ready || !divisor)
+            throw new Error('a division by 0, or a result that is read too early');
+        return isQuotient ? Math.trunc(dividend / divisor) : dividend % divisor;
     }
 
     get other() { return this.cores[this.core === this.cores[0] ? 1 : 0]; }
