@@ -58,8 +58,8 @@ static void empty_fifo(void)
         (void)PICO_SIO(FIFO_RD);
 }
 
-/* After its reset core 1 waits in the boot ROM for these words and answers each with the
- * same word; another answer starts the sequence anew. */
+/* Core 1 leaves its reset in the boot ROM, which sends 0 when it is ready, waits for these
+ * words and answers each with the same word; another answer starts the sequence anew. */
 void cores_start(void (*entry)(void))
 {
     const uint32_t words[] = {
@@ -70,7 +70,9 @@ void cores_start(void (*entry)(void))
     PICO_SET(FRCE_OFF) = PROC1;
     while (!(PICO_AT(FRCE_OFF) & PROC1))
         ;
+    empty_fifo();
     PICO_CLEAR(FRCE_OFF) = PROC1;
+    cores_receive();
     for (uint32_t i = 0; i < sizeof words / sizeof *words; ) {
         if (!words[i]) {
             empty_fifo();

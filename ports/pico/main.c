@@ -113,14 +113,19 @@ static void *take(tp_arena *arena, const char *what, size_t bytes)
     return memory;
 }
 
-static void open_panel(void)
+static lcd_config panel_config(void)
 {
-    const lcd_config config = {
+    return (lcd_config){
         .panel = &PICO_PANEL,
         .turn = 1,
         .frame = *picture,
         .wires = { NULL, panel_command, panel_data, panel_wait, panel_pause },
     };
+}
+
+static void open_panel(void)
+{
+    const lcd_config config = panel_config();
     panel_open();
     const lcd_status opened = lcd_open(&panel, &config, sends);
     if (opened != LCD_OK && opened != LCD_E_BLOCKED)
@@ -129,10 +134,7 @@ static void open_panel(void)
 
 static void open_scene(void)
 {
-    const lcd_config config = {
-        .panel = &PICO_PANEL, .turn = 1, .frame = *picture,
-        .wires = { NULL, panel_command, panel_data, panel_wait, panel_pause },
-    };
+    const lcd_config config = panel_config();
     const size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
     tp_arena arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
     tp_error err;

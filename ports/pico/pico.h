@@ -24,11 +24,9 @@ uint32_t    start_stack_used(uint32_t core);    /* deepest use so far, bytes */
 
 /* -- pico.c: clocks, pins, serial port, buttons --------------------------------------- */
 
-#define PICO_HZ 133000000u      /* clock of processors and peripherals after pico_open, Hz */
-
 enum { PICO_PIN_IN = 5, PICO_PIN_OUT = 5, PICO_PIN_SPI = 1, PICO_PIN_UART = 2 };
 
-void     pico_open(void);
+void     pico_open(void);                       /* 133 MHz for processors and peripherals */
 uint32_t pico_us(void);                         /* a clock, us; wraps after 71 minutes */
 void     pico_pin(uint32_t pin, uint32_t function);
 

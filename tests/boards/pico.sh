@@ -77,27 +77,47 @@ refuse "not another file" uf2_holds "$image.uf2" "$image.elf"
 
 # -- frames ----------------------------------------------------------------------------
 
-emulated()      # IMAGE: two frames into $scratch/said
+emulated()      # IMAGE: frames 60 to 62 into $scratch/said
 {
     arm-none-eabi-nm "$image.elf" | timeout 300 node $here/run.js $client "$1" \
         >"$scratch/said"
 }
-said()          # WORD COLUMN: of the line of the last frame that begins with the word
+cycles()        # COLUMN: of frame 61
 {
-    awk -v word="$1" -v column="$2" '$1 == word { found = $column } END { print found }' \
-        "$scratch/said"
+    awk -v column="$1" '$1 == "frame" { n = $2 }
+        $1 == "cycles" && n == 61 { print $column }' "$scratch/said"
 }
-frames_are()    # FIRST: both frames equal the host's
+crcs()          # FRAMES...: CRCs of the panel's pictures
 {
-    grep '^frame' "$scratch/said" | sed 's/^frame [0-9]* //' >"$scratch/got"
+    for frame in "$@"; do
+        sed -n "s/^frame 00$frame //p" "$scratch/said"
+    done
+}
+host_crcs()     # FIRST LAST [OPTION]...
+{
+    frames=$1:$2
+    shift 2
     "$program" render "${scene%@*}" --texels "${scene#*@}" --size 320x240 --hash \
-        --format rgb565be --frames "$1:$(($1 + 1))" | sed 's/^frame [0-9]* //' |
-        diff - "$scratch/got"
+        --format rgb565be --frames "$frames" "$@" | sed 's/^frame [0-9]* //'
+}
+frames_are()    # FIRST: frames 60 and 61 equal the host's from FIRST on
+{
+    is "$(crcs 60 61)" "$(host_crcs "$1" "$(($1 + 1))")"
+}
+# Frame 62: the button's input is echoed as a line of a tape.
+changed_is()    # [OPTION]...
+{
+    { echo "tape 2 ${scene%@*}"; grep '^61 ' "$scratch/said"; } >"$scratch/tape"
+    is "$(crcs 62)" "$(host_crcs 62 62 --tape "$scratch/tape" "$@")"
+}
+state_is()      # the CRC of a second drawing, by core 0 alone
+{
+    grep -q "^ok tick 62 $(crcs 62), .* dropped 0," "$scratch/said"
 }
 both_draw()     # each core draws two fifths of the tiles' work at least
 {
     awk '$1 == "instructions" && ($6 < 0.4 * ($6 + $7) || $7 < 0.4 * ($6 + $7)) { bad = 1 }
-        $1 == "instructions" { n++ } END { exit bad || n != 2 }' "$scratch/said"
+        $1 == "instructions" { n++ } END { exit bad || n != 3 }' "$scratch/said"
 }
 stacks_hold()   # with room for an exception's frame
 {
@@ -106,13 +126,17 @@ stacks_hold()   # with room for an exception's frame
 }
 answers()       # each line is answered
 {
-    for answer in pause "step 60" "step 1"; do
+    for answer in pause "step 60" "step 1" "light.elevation = 50"; do
         grep -q "^ok $answer" "$scratch/said" || return 1
     done
 }
 check "the boot ROM starts it, and it draws" emulated "$image.bin"
 check "frames 60 and 61 are the host's" frames_are 60
 refuse "they are not 61 and 62" frames_are 61
+check "a button and a line change frame 62 as on the host" \
+    changed_is --set light.elevation=50
+refuse "without the line it is another picture" changed_is
+check "one core draws the same" state_is
 check "both cores draw" both_draw
 check "the stacks stay in their banks" stacks_hold
 check "the serial port answers" answers
@@ -120,7 +144,7 @@ check "the panel is turned, rows from its long side" grep -q '^panel walk 28' "$
 
 # Milliseconds of frame 61 at 133 MHz, without the wait for flash: begin and the busier
 # core's tiles; begin and all tiles.
-begin=$(said cycles 3) first=$(said cycles 6) second=$(said cycles 7)
+begin=$(cycles 3) first=$(cycles 6) second=$(cycles 7)
 busier=$((first > second ? first : second))
 two=$(((begin + busier) / 133000)) one=$(((begin + first + second) / 133000))
 echo "frame 61: $two ms by two cores, $one ms by one; stacks $(sed -n 's/^stack . //p' \
@@ -134,6 +158,16 @@ told()          # the page gives these figures, within a tenth
     done
 }
 check "the page gives the measured time" told
+
+# -- arithmetic ------------------------------------------------------------------------
+
+calculates()
+{
+    arm-none-eabi-objcopy -O binary -j .data "$image.elf" "$scratch/code" &&
+        arm-none-eabi-nm "$image.elf" |
+        node $here/arithmetic.js $client "$scratch/code" 20000000
+}
+check "products and quotients are right" calculates
 
 # -- a wrong image ---------------------------------------------------------------------
 

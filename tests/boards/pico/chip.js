@@ -7,7 +7,7 @@
 // a miss of the flash's cache nor for two cores at one bank of the RAM.
 'use strict';
 
-const FLASH = 0x10000000, RAM = 0x20000000, STAGE2 = 0x20041f00;
+const RAM = 0x20000000, STAGE2 = 0x20041f00;
 const RAM_BYTES = 264 * 1024, SLICE = 64;       // cycles that a core runs at a time
 const SIO_CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58;
 const DIV_UNSIGNED = 0x60, DIV_SIGNED = 0x68, DIV_QUOTIENT = 0x70, DIV_REMAINDER = 0x74;
@@ -28,8 +28,9 @@ function crcOfStage2(bytes) {
 }
 
 class Chip {
-    // `marks`: bytes, one for each halfword of RAM; core.kind becomes the last one met
-    // that is not 0, less 1.
+    // `marks`: a byte for each halfword of RAM.  Where a core meets a byte n that is not 0,
+    // its cycles and instructions count as kind n - 1 of `kinds` from there on: core.spent,
+    // core.done.
     constructor(package_, marks, kinds) {
         const { RP2040, ConsoleLogger, LogLevel } = package_;
         this.rp2040 = new RP2040();
@@ -130,10 +131,13 @@ class Chip {
     joinPower() {
         const psm = this.rp2040.peripherals[0x40010], write = psm.writeUint32.bind(psm);
         psm.writeUint32 = (offset, bits) => {
+            const wasOff = psm.frceOff & PROC1;
             write(offset, bits);
-            if (offset === PSM_FRCE_OFF && bits & PROC1) {
+            if (psm.frceOff & PROC1)
                 this.cores[1].on = false;
+            else if (wasOff) {
                 this.starting = 0;
+                this.post(this.cores[0], 0);            // the boot ROM is ready
             }
         };
     }
@@ -198,4 +202,4 @@ class Chip {
     }
 }
 
-module.exports = { Chip, FLASH, RAM };
+module.exports = { Chip, RAM };
