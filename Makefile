@@ -20,6 +20,10 @@ ONE     := $(if $(filter command,$(firstword $(origin SCENE))),$(SCENE))
 # Folder of modules from outside the project.
 MORE    ?=
 OBJCOPY ?= objcopy
+# The values given for `make new-board`, quoted for the shell.
+given    = $(if $(filter command,$(firstword $(origin $1))),'$1=$(subst ','\'',$($1))')
+NEW_BOARD = $(strip $(foreach name,CPU DIR SCENE SIZE PANEL PICTURE MEMORY FLASH RAM, \
+               $(call given,$(name))))
 # Tests are built on all processors, unless make was called with -j.
 BUILDS   = $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
 all:
@@ -71,6 +75,11 @@ ram: $(PROGRAM) build/host/count.so
 ## memory, flash and instructions on emulated boards; WRITE=1: into ports/BOARDS.md
 boards: $(PROGRAM)
 	@tests/boards/table.sh $(if $(WRITE),--write)
+## start a project for another board: CPU=cortex-m4 DIR=../myboard; usage without them
+new-board:
+	@ports/new_board.sh --check $(NEW_BOARD)
+	@$(if $(NEW_BOARD),$(MAKE) --no-print-directory $(PROGRAM))
+	@$(if $(NEW_BOARD),ports/new_board.sh $(NEW_BOARD))
 ## measure time and instructions of the scene for comparison with other renderers
 bench: $(PROGRAM) $(BUILD)/tests/bench/scene_s
 	@$(PROGRAM) bench
@@ -128,5 +137,5 @@ help:
 	@awk '/^## / { text = substr($$0, 4); getline; sub(/:.*/, ""); \
 	    printf "  %-10s %s\n", $$0, text }' Makefile
 
-.PHONY: all more lib run test test-all soak count ram boards bench views charts reference \
-    fuzz coverage mutants golden gallery assets web serve install format clean help
+.PHONY: all more lib run test test-all soak count ram boards new-board bench views charts \
+    reference fuzz coverage mutants golden gallery assets web serve install format clean help

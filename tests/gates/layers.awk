@@ -67,7 +67,7 @@ BEGIN {
         free[system_header[i]]
     split("app=tools tools=app app=interact app=cortex-m null=app kms=app linuxfb=app " \
           "serial=interact rpi=serial rpi=interact cortex-m=serial cortex-m=lcd web=interact " \
-          "pico=serial pico=lcd pico=cortex-m " \
+          "pico=serial pico=lcd pico=cortex-m new-board=lcd new-board=cortex-m " \
           "library=app library=interact", sights, " ")
     for (i in sights)
         guest[sights[i]]
