@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The board.  FILL IN marks the five functions to write: command, data, wait_for, pause and
+/* The board.  FILL IN marks the five functions to write: command, data, await, pause and
  * board_say.  board_ms and board_end may follow later.
  *
  * The bodies given here are stand-ins: they have no panel, and reach the emulator or a
@@ -33,7 +33,7 @@ static void command(void *user, uint8_t byte)
 
 /* FILL IN: sends data bytes.  Set D/C high and CS low, then either write all bytes and
  * return, or start a DMA of them and return at once.  The bytes stay unchanged until
- * wait_for(LCD_SENT) returns, and no other function of the wires is called before that.
+ * await(LCD_SENT) returns, and no other function of the wires is called before that.
  * If the processor has a data cache, clean it over these bytes before the DMA. */
 static void data(void *user, const uint8_t *bytes, size_t count)
 {
@@ -45,7 +45,7 @@ static void data(void *user, const uint8_t *bytes, size_t count)
 /* FILL IN: waits for the end of the last data().  LCD_SENT: until the DMA is done and the
  * SPI has sent its last bit.  LCD_IDLE: until the BUSY line is free, for e-paper only.
  * Return false if it takes longer than about 100 ms: main() then starts the panel again. */
-static bool wait_for(void *user, lcd_until until)
+static bool await(void *user, lcd_until until)
 {
     (void)user;
     (void)until;
@@ -59,7 +59,7 @@ static void pause(void *user, uint32_t ms)
     (void)ms;
 }
 
-const lcd_wires board_wires = { NULL, command, data, wait_for, pause };
+const lcd_wires board_wires = { NULL, command, data, await, pause };
 
 /* -- texts, time, the end ------------------------------------------------------------ */
 
