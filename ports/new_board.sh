@@ -76,7 +76,7 @@ check_picture()
     done
 }
 
-# The new folder as an absolute path in $to, and the way from there to the checkout.
+# Sets the absolute path of the new folder, and from there the paths of checkout and scene.
 check_folder()
 {
     [ "$DIR" ] || refuse "DIR is missing: the new folder"
@@ -85,6 +85,8 @@ check_folder()
     [ ! -e "$to" ] || [ -d "$to" ] || refuse "$DIR is a file"
     [ ! -d "$to" ] || [ -z "$(ls -A -- "$to")" ] || refuse "$DIR is not empty"
     tidepool=$(realpath -m --relative-to="$to" "$root")
+    # A scene of a file is named from the new folder too.
+    [ ! -f "$SCENE" ] || SCENE=$(realpath -m --relative-to="$to" -- "$SCENE")
     case $tidepool in *[!A-Za-z0-9._/+,@-]*)
         refuse "make cannot build from a path such as '$tidepool': move the checkout" ;;
     esac
@@ -93,7 +95,7 @@ check_folder()
 CPU='' DIR='' SCENE=count-64 SIZE='' PANEL=ili9341 FLASH='' RAM=''
 PICTURE='--texels 64' MEMORY='--strip 64 --band 16' only_check=
 [ "${1:-}" != --check ] || { only_check=1; shift; }
-[ $# -gt 0 ] || { [ ! "$only_check" ] || usage; exit 0; }
+[ $# -gt 0 ] || { usage; exit; }
 for pair; do
     case $pair in
     CPU=* | DIR=* | SCENE=* | SIZE=* | PANEL=* | FLASH=* | RAM=* | PICTURE=* | MEMORY=*)
@@ -103,16 +105,11 @@ for pair; do
     esac
 done
 check_cpu
-check_picture
 check_folder
+check_picture
 [ ! "$only_check" ] || exit 0
 
 # -- the project --------------------------------------------------------------------------
-
-# A scene of a file is named from the new folder.
-if [ -f "$SCENE" ]; then
-    SCENE=$(realpath --relative-to="$(realpath -m "$to")" "$SCENE")
-fi
 
 fill()          # TEMPLATE: prints it with the values in place of their names
 {
@@ -143,5 +140,5 @@ TIDEPOOL= "$part/scene.sh" bake || refuse "the scene was not baked, nothing is w
 rm -r -- "$part/build"
 [ ! -d "$to" ] || rmdir -- "$to"
 mv -- "$part" "$to"
-echo "$DIR: $SCENE at $SIZE for a $CPU; next:"
-echo "    cd '$DIR' && make check         (README.md there has the steps)"
+echo "$DIR: $SCENE at $SIZE for a $CPU"
+echo "next, in that folder: make check; its README.md has all steps"

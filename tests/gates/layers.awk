@@ -18,6 +18,7 @@
 #                   the water under a pixel (pools.h, drops.h, arithmetic.h)
 #   web             reads OBJ in pieces (mesh.h), has a governor (tools.h), keeps the camera
 #                   of a world that it makes again (world.h)
+# The templates of new-board call the panel driver lcd, and cortex-m for a checksum.
 # The raw screens linuxfb and kms are driven by app/fullscreen. The input and the changes of
 # interact are for all interactive ports. The host library, in ports/library, offers parts
 # of app and interact to other programs. A program's own modules, in ports/examples, include
