@@ -136,7 +136,7 @@ for file in "$from"/*; do
 done
 cp -- "$root/ports/cortex-m/sections.ld" "$part"
 chmod +x "$part/scene.sh"
-TIDEPOOL= "$part/scene.sh" bake || refuse "the scene was not baked, nothing is written"
+TIDEPOOL='' "$part/scene.sh" bake || refuse "the scene was not baked, nothing is written"
 rm -r -- "$part/build"
 [ ! -d "$to" ] || rmdir -- "$to"
 mv -- "$part" "$to"

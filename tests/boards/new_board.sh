@@ -100,11 +100,28 @@ done
 
 # -- runs ---------------------------------------------------------------------------------
 
+# A checkout with those files of the library alone that the program links with the built
+# library of the same processor: other files need not be compiled.
+checkout=$scratch/checkout
+small_checkout()
+{
+    alone build -s BOARD=cortex-m/m0plus lib &&
+        build -s -C "$first" LIB="$PWD/build/cortex-m0plus/libtidepool.a" OPT=-O1 &&
+        mkdir "$checkout" && cp -r src CMakeLists.txt "$checkout" &&
+        ln -s "$PWD/include" "$PWD/ports" "$checkout" || return 1
+    grep -o 'libtidepool\.a([a-z0-9_]*\.o)' "$first/build/board.map" | sort -u |
+        sed 's,.*(\(.*\)\.o),/\1.c,' >"$scratch/linked"
+    find "$checkout/src" -name '*.c' | grep -v -F -f "$scratch/linked" | xargs rm
+    mkdir -p "$checkout/build/host" && ln -s "$(realpath "$program")" "$checkout/build/host"
+}
+check "Makefile: the program links a library that is built" small_checkout
+
 want=$("$program" render minimal --texels 16 --size 128x64 --format rgb565be \
     --frames 60:60 --hash)
-made()          { build -s -C "$first" OPT=-O1 "$@"; }
+made()          { build -s -C "$first" TIDEPOOL="$checkout" OPT=-O1 "$@"; }
 said()          { grep -x "frame 0060 crc32 [0-9a-f]*" "$1"; }
-check "Makefile: the program is built, and checks its picture" made check
+anew()          { made clean && made check; }
+check "Makefile: both are built, and the picture is checked" anew
 check "Makefile: it is the host's" is "$(said "$first/build/said")" "$want"
 sed -i 's/^size=.*/size=128x60/' "$first/scene.sh"
 refuse "Makefile: another picture is not" made check
@@ -113,7 +130,7 @@ refuse "Makefile: another picture is not" made check
 changed()
 {
     cp "$first/$1" "$scratch/kept" && sed -i "$2" "$first/$1"
-    made run TIDEPOOL="$PWD" >"$scratch/said" 2>&1
+    made run >"$scratch/said" 2>&1
     cp "$scratch/kept" "$first/$1"
     cat "$scratch/said"
     grep -q "^$4" "$scratch/said" && grep -q "Error $3\$" "$scratch/said"
@@ -124,21 +141,10 @@ check "it says that the panel blocks" changed board.c 's/return true;/return fal
 check "it says a fault" changed main.c 's/^    make_world();/    __asm__ ("udf 0");/' 139 \
     "fault: "
 
-# A checkout with the files of the library that the first program has linked: the second
-# one needs the same, and compiles no others.
-checkout=$scratch/checkout
-small_checkout()
-{
-    mkdir "$checkout" && cp -r src CMakeLists.txt "$checkout" &&
-        ln -s "$PWD/include" "$PWD/ports" "$checkout" || return 1
-    grep -o 'libtidepool\.a([a-z0-9_]*\.o)' "$first/build/board.map" | sort -u |
-        sed 's,.*(\(.*\)\.o),/\1.c,' >"$scratch/linked"
-    find "$checkout/src" -name '*.c' | grep -v -F -f "$scratch/linked" | xargs rm
-}
 # The folder is moved: the checkout is named.
 cmade()
 {
-    small_checkout && mkdir "$parent/further" && mv "$second" "$parent/further" || return 1
+    mkdir "$parent/further" && mv "$second" "$parent/further" || return 1
     second=$parent/further/second
     env -u MAKEFLAGS cmake -S "$second" -B "$second/out" -DTIDEPOOL="$checkout" \
         -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS_RELEASE=-O1 &&
