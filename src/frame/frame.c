@@ -77,7 +77,7 @@ static tp_frame *allocate_frame(const tp_program *program, tp_frame_buffers *buf
 
     *buffers = (tp_frame_buffers){
         .rung_mask = tp_frame_rung_mask(scene),
-        .column_bytes = (uint32_t)tp_renderer_column_bytes(program, scene),
+        .renderer_bytes = (uint32_t)tp_renderer_tile_bytes(program, scene, config),
     };
     layout_renderers(buffers, arena, program, scene, config);
     const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
@@ -230,7 +230,7 @@ static uint32_t count_planes(const tp_program *program, const tp_scene *scene)
 }
 
 /* Scratch size: the planes of the G-buffer, then the pixels unless they are drawn
- * elsewhere.  Before pixels exist, the renderer's bytes per column and the window of a
+ * elsewhere.  Before pixels exist, the renderer's columns and the window of a
  * streamed grid use the same place. */
 static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool direct)
 {
@@ -240,7 +240,7 @@ static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool 
         return 0;
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
     const uint32_t planes = count_planes(c.program, scene);
-    const size_t method = tp_renderer_column_bytes(c.program, scene) * c.tile_width
+    const size_t method = tp_renderer_tile_bytes(c.program, scene, &c)
                           + TP_GRID_WINDOW(streamed_cols(c.program, scene));
     const size_t samples = (size_t)c.tile_width
                          * (c.tile_height + count_extra_rows(&c, scene));

@@ -46,7 +46,7 @@ typedef struct tp_frame_buffers {
     struct tp_frame_lines *lines;       /* scanline grid; NULL: rows cannot draw */
     struct tp_fast_lines *fast_lines;   /* for its fast rungs; NULL: rows are exact */
     struct tp_walk  *walk;              /* lines of walked water; NULL: it cannot draw */
-    uint32_t         column_bytes;      /* scratch of the renderers per column */
+    uint32_t         renderer_bytes;    /* scratch of the renderers for a tile's columns */
     uint32_t         lacks;             /* modules without enough stencil values */
     void           **module;            /* memory of each module of the program, or NULL */
     uint8_t         *mark;              /* first stencil value of each module, or 0 */
@@ -257,8 +257,7 @@ tp_surface tp_frame_surface_with_all_pools(const tp_frame *frame);
  * lacks it. */
 
 /* A water renderer, see visibility.c.  `memory` is scratch, free until pixels are
- * stored: tp_renderer_column_bytes() for each column of the tile, then a window if
- * grid vertices are streamed. */
+ * stored: tp_renderer_tile_bytes(), then a window if grid vertices are streamed. */
 struct tp_water_renderer {
     void (*layout)(tp_frame_buffers *parts, tp_arena *arena, const tp_program *program,
                    const tp_scene *scene, const tp_config *config);
@@ -279,15 +278,26 @@ static inline bool tp_frame_asks_fast_rows(const tp_program *program, const tp_s
            && program->method.lines;
 }
 
-/* Scratch bytes per column; 0 if no renderer of the program works by columns. */
-static inline size_t tp_renderer_column_bytes(const tp_program *program,
-                                              const tp_scene *scene)
+/* Returns the width of the columns of walked water, and of pairs of columns, log2 of 28.4
+ * px.  Pairs need a picture of even width. */
+static inline uint8_t tp_frame_pair_bits(const tp_config *config)
 {
-    return tp_frame_asks_fast_rows(program, scene)
-                   || (program->method.walk
-                       && scene->quality.visibility == TP_VISIBILITY_WALK)
-               ? tp_fast_rows_bytes(1, 4)
-         : program->method.rows || program->method.projected ? sizeof(tp_row_column) : 0;
+    return config->width % 2 == 0 ? 5 : 4;
+}
+
+/* Scratch bytes of a tile's columns; 0 if no renderer of the program works by columns. */
+static inline size_t tp_renderer_tile_bytes(const tp_program *program, const tp_scene *scene,
+                                            const tp_config *config)
+{
+    const bool walks =
+        program->method.walk && scene->quality.visibility == TP_VISIBILITY_WALK;
+
+    if (tp_frame_asks_fast_rows(program, scene))
+        return tp_fast_rows_bytes(config->tile_width, 4);
+    if (walks)
+        return tp_fast_rows_bytes(config->tile_width, tp_frame_pair_bits(config));
+    return program->method.rows || program->method.projected
+               ? sizeof(tp_row_column) * config->tile_width : 0;
 }
 
 /* The water's triangles by cheaper arithmetic, for quality.triangles = fast. */

@@ -295,9 +295,7 @@ static void place_water(tp_frame *frame)
 
 tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory)
 {
-    void *rows = (uint8_t *)memory
-                 + (size_t)frame->buffers.column_bytes * frame->config.tile_width;
-    return tp_grid_window_init(rows);
+    return tp_grid_window_init((uint8_t *)memory + frame->buffers.renderer_bytes);
 }
 
 static void draw_blocks(const tp_frame *frame, const tp_gbuffer *tile,

@@ -68,11 +68,11 @@ const struct tp_water_renderer *tp_frame_renderer(const tp_program *program,
 }
 
 /* Returns the width of the columns of fast rows and of walked water, log2 of 28.4 px; 0:
- * other water.  Pairs of columns need a picture of even width. */
+ * other water. */
 static uint8_t fast_column_bits(const tp_frame *frame)
 {
     const int32_t rung = frame->scene->quality.rows;
-    const uint8_t pairs = frame->config.width % 2 == 0 ? 5 : 4;
+    const uint8_t pairs = tp_frame_pair_bits(&frame->config);
 
     if (frame->visibility == TP_VISIBILITY_WALK)
         return pairs;
