@@ -138,6 +138,11 @@ typedef struct {
  * same. */
 extern const struct tp_water_renderer tp_method_streamed;
 
+/* Replaces tp_method_walk in programs with little RAM.  Points of lines are not stored but
+ * computed in tp_frame_begin, and again for each tile that they touch.  The picture is the
+ * same to the bit. */
+extern const struct tp_water_renderer tp_method_streamed_walk;
+
 #define X(name) extern const struct tp_draw_##name tp_draw_##name;
 TP_DRAW_LIST(X)
 #undef X

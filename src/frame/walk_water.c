@@ -10,25 +10,7 @@
  *
  * Valid without roll for swells alone, all below the eye by a quarter of its height; else
  * triangles are drawn. */
-#include "frame/frame.h"
-#include "waves/deep_water.h"
-
-enum { CELL = 16 };
-
-/* A line of points at columns 0, 16, ... of pixels. */
-typedef struct {
-    tp_line_scale scale;        /* half_s, half_t: half a pixel along the line */
-    uint32_t s, t;              /* rest position at column 0, 16.16 m */
-    int32_t  step_s, step_t;    /* per pixel, 16.16 m */
-    int32_t  top;               /* least v of its points, 16.16 px */
-} walk_line;
-
-struct tp_walk {
-    tp_level level;
-    uint32_t most_lines, lines, cols;
-    walk_line *line;            /* from near to far */
-    tp_even_point *point;       /* `cols` a line */
-};
+#include "frame/walk_water.h"
 
 /* Lines beyond the picture's lower edge take an eighth of its height at the most. */
 static uint32_t count_most_lines(uint32_t height)
@@ -36,31 +18,39 @@ static uint32_t count_most_lines(uint32_t height)
     return height / 8 + height / 64 + 48;
 }
 
+struct tp_walk *tp_walk_allocate(tp_arena *arena, const tp_config *config, size_t bytes,
+                                 void **points)
+{
+    const uint32_t lines = count_most_lines(config->height);
+    const uint32_t cols = (config->width + TP_WALK_CELL - 1) / TP_WALK_CELL + 1;
+    struct tp_walk *to = tp_arena_alloc(arena, 1, sizeof *to);
+
+    if (to)
+        *to = (struct tp_walk){ .most_lines = lines, .cols = cols };
+    *points = tp_arena_alloc(arena, (size_t)lines * cols, bytes);
+    return to;
+}
+
 static void layout_walk(tp_frame_buffers *buffers, tp_arena *arena,
                         const tp_program *program, const tp_scene *scene,
                         const tp_config *config)
 {
-    const uint32_t lines = count_most_lines(config->height);
-    const uint32_t cols = (config->width + CELL - 1) / CELL + 1;
-    struct tp_walk *to = tp_arena_alloc(arena, 1, sizeof *to);
-    walk_line *line = tp_arena_alloc(arena, lines, sizeof *line);
-    tp_even_point *point = tp_arena_alloc(arena, (size_t)lines * cols, sizeof *point);
+    void *points;
+    struct tp_walk *to = tp_walk_allocate(arena, config, sizeof(tp_even_point), &points);
+    tp_walk_line *line = tp_arena_alloc(arena, count_most_lines(config->height), sizeof *line);
 
     (void)program;
     (void)scene;
     if (to) {
-        to->most_lines = lines;
-        to->cols = cols;
         to->line = line;
-        to->point = point;
+        to->point = points;
     }
     buffers->walk = to;
 }
 
 /* -- placement ----------------------------------------------------------------------- */
 
-/* Returns the next line, px below the horizon. */
-static int32_t next_line(int32_t below)
+int32_t tp_walk_next_line(int32_t below)
 {
     const int32_t apart = below > 192 ? 16 : below > 96 ? 8 : below > 40 ? 4 : below > 16 ? 2 : 1;
     return below - apart;
@@ -87,12 +77,12 @@ static uint32_t count_lines(int32_t below)
 {
     uint32_t lines = 2;
 
-    for (; below > 1; below = next_line(below))
+    for (; below > 1; below = tp_walk_next_line(below))
         lines++;
     return lines;
 }
 
-static bool can_walk(tp_frame *frame)
+bool tp_walk_can_draw(tp_frame *frame)
 {
     struct tp_walk *walk = frame->buffers.walk;
     const tp_surface *surface = &frame->surface;
@@ -109,13 +99,6 @@ static bool can_walk(tp_frame *frame)
     return below > 0 && count_lines(below) <= walk->most_lines;
 }
 
-/* A line being placed: rest positions at column 0, on it and on the next line, and their
- * steps per pixel, by axis; m, 16.16. */
-typedef struct {
-    int64_t row;                /* px, Q.30 */
-    int64_t at[2], step[2], beyond[2], beyond_step[2];
-} placed_line;
-
 #define WALK_FAR ((int64_t)12000 << 16)        /* m: farther points are on the horizon */
 
 /* Returns a coordinate at most WALK_FAR from the eye's, so that differences fit 16.16. */
@@ -127,7 +110,8 @@ static tp_fx near_eye(const tp_frame *frame, int axis, int64_t at)
 
 /* Waves are kept as if the points were 3/4 as far apart: against triangles at tick 60 that is
  * 28.2 dB in count-64, and 27.9 without. */
-static tp_even_point make_point(const tp_frame *frame, const placed_line *line, int32_t x)
+tp_even_point tp_walk_make_point(const tp_frame *frame, const tp_walk_placed_line *line,
+                                 int32_t x)
 {
     const int32_t flat = (int32_t)((line->row + (1 << 13)) >> 14) + TP_FX_ONE / 2;
     tp_fx place[2], step[2][2];
@@ -140,7 +124,7 @@ static tp_even_point make_point(const tp_frame *frame, const placed_line *line, 
         const int64_t here = line->at[axis] + line->step[axis] * x;
         const int64_t there = line->beyond[axis] + line->beyond_step[axis] * x;
         place[axis] = near_eye(frame, axis, here);
-        step[0][axis] = tp_fx_saturate(line->step[axis] * (CELL * 3 / 4));
+        step[0][axis] = tp_fx_saturate(line->step[axis] * (TP_WALK_CELL * 3 / 4));
         step[1][axis] = tp_fx_saturate((there - here) * 3 >> 2);
     }
     const tp_surface_point p = frame->surface.by->swells->point(&frame->surface, place, step);
@@ -173,55 +157,75 @@ static void set_rest(const tp_level *level, int64_t row, int64_t below, int64_t 
     }
 }
 
-/* Places a line, px below the horizon in Q.30; the next line is at `beyond`. */
-static void place_line(tp_frame *frame, uint32_t k, int64_t below, int64_t beyond)
+void tp_walk_begin_line(const tp_level *level, int32_t below, tp_walk_placed_line *at,
+                        tp_walk_line *line)
+{
+    const int64_t last = TP_Q30_ONE / 8, horizon = tp_level_zero_line(&level->down).at;
+    const int32_t next = tp_walk_next_line(below);
+    const int64_t here = below > 0 ? (int64_t)below * TP_Q30_ONE : last;
+    const int64_t beyond = below <= 0 ? last / 2 : next > 0 ? (int64_t)next * TP_Q30_ONE : last;
+
+    at->row = horizon + here;
+    set_rest(level, at->row, here, at->at, at->step);
+    set_rest(level, horizon + beyond, beyond, at->beyond, at->beyond_step);
+    const int64_t zi =
+        tp_level_evaluate_fractional_row(&level->zi, 0, at->row) >> TP_LEVEL_ZI;
+    *line = (tp_walk_line){
+        { zi < 1 ? 1 : zi > INT32_MAX ? INT32_MAX : (uint32_t)zi,
+          (int32_t)(at->step[0] / 2), (int32_t)(at->step[1] / 2) },
+        (uint32_t)at->at[0], (uint32_t)at->at[1], (int32_t)at->step[0],
+        (int32_t)at->step[1], INT32_MAX,
+    };
+}
+
+static void keep_row(struct tp_walk *walk, size_t i, int32_t v)
+{
+    const int32_t row = tp_clamp(v >> 16 >> walk->row_bits, 0, 255);
+
+    walk->row[i] = (uint8_t)row;
+    walk->top = row < walk->top ? row : walk->top;
+}
+
+static void place_line(tp_frame *frame, int32_t below)
 {
     struct tp_walk *walk = frame->buffers.walk;
-    const tp_level *level = &walk->level;
-    const int64_t horizon = tp_level_zero_line(&level->down).at;
-    placed_line at = { .row = horizon + below };
-    walk_line *line = &walk->line[k];
+    const uint32_t k = walk->lines++;
+    const size_t first = (size_t)k * walk->cols;
+    tp_walk_placed_line at;
+    tp_walk_line   line;
 
-    set_rest(level, at.row, below, at.at, at.step);
-    set_rest(level, horizon + beyond, beyond, at.beyond, at.beyond_step);
-    const int64_t zi =
-        tp_level_evaluate_fractional_row(&level->zi, 0, at.row) >> TP_LEVEL_ZI;
-    *line = (walk_line){
-        { zi < 1 ? 1 : zi > INT32_MAX ? INT32_MAX : (uint32_t)zi,
-          (int32_t)(at.step[0] / 2), (int32_t)(at.step[1] / 2) },
-        (uint32_t)at.at[0], (uint32_t)at.at[1], (int32_t)at.step[0], (int32_t)at.step[1],
-        INT32_MAX,
-    };
+    tp_walk_begin_line(&walk->level, below, &at, &line);
     for (uint32_t i = 0; i < walk->cols; i++) {
-        tp_even_point *to = &walk->point[k * walk->cols + i];
-        *to = make_point(frame, &at, (int32_t)i * CELL);
-        line->top = to->v < line->top ? to->v : line->top;
+        const tp_even_point point = tp_walk_make_point(frame, &at, (int32_t)i * TP_WALK_CELL);
+        line.top = point.v < line.top ? point.v : line.top;
+        if (walk->row)
+            keep_row(walk, first + i, point.v);
+        else
+            walk->point[first + i] = point;
     }
+    if (walk->line)
+        walk->line[k] = line;
     frame->stats.vertices += walk->cols;
 }
 
-/* Places the lines; the last one is flat, an eighth of a pixel below the horizon. */
-static void place_walk(tp_frame *frame)
+void tp_walk_place(tp_frame *frame)
 {
     struct tp_walk *walk = frame->buffers.walk;
-    const int64_t last = TP_Q30_ONE / 8;
-    int32_t below = first_line(frame);
 
     frame->level_zi = &walk->level.zi;
     walk->lines = 0;
-    for (; below > 0; below = next_line(below)) {
-        const int32_t next = next_line(below);
-        place_line(frame, walk->lines++, (int64_t)below * TP_Q30_ONE,
-                   next > 0 ? (int64_t)next * TP_Q30_ONE : last);
-    }
-    place_line(frame, walk->lines++, last, last / 2);
+    walk->top = 255;
+    walk->first = first_line(frame);
+    for (int32_t below = walk->first; below > 0; below = tp_walk_next_line(below))
+        place_line(frame, below);
+    place_line(frame, 0);
 }
 
 /* -- a tile -------------------------------------------------------------------------- */
 
 static void lay_line(tp_fast_rows *rows, const struct tp_walk *walk, uint32_t k)
 {
-    const walk_line *line = &walk->line[k], *before = &walk->line[k > 0 ? k - 1 : 0];
+    const tp_walk_line *line = &walk->line[k], *before = &walk->line[k > 0 ? k - 1 : 0];
     const tp_line_scale scale[2] = { line->scale, before->scale };
     const tp_even_line even = { walk->point + k * walk->cols, line->s, line->t, line->step_s,
                                 line->step_t, line->scale.zi };
@@ -229,6 +233,15 @@ static void lay_line(tp_fast_rows *rows, const struct tp_walk *walk, uint32_t k)
     tp_fast_rows_begin_line(rows, scale);
     tp_fast_rows_lay_even(rows, &even);
     tp_fast_rows_end_line(rows, k > 0 ? TP_LINE_ON : TP_LINE_BEHIND_GAP);
+}
+
+bool tp_walk_end_alone(const tp_frame *frame, const tp_fast_rows *rows, tp_water_rows *found)
+{
+    if (rows->holes)
+        return false;
+    *found = tp_fast_rows_found(rows);
+    tp_frame_write_alone_keys(frame, rows, found);
+    return true;
 }
 
 /* Draws the lines that matter for the tile: those that rise into it, and before each the
@@ -260,14 +273,10 @@ static bool draw_walk_alone(const tp_frame *frame, const tp_gbuffer *tile, void 
 
     tp_fast_rows_begin(&rows, tile, memory, frame->column_bits, false);
     draw_lines(frame, &rows);
-    if (rows.holes)
-        return false;
-    *found = tp_fast_rows_found(&rows);
-    tp_frame_write_alone_keys(frame, &rows, found);
-    return true;
+    return tp_walk_end_alone(frame, &rows, found);
 }
 
 const struct tp_water_renderer tp_method_walk = {
-    .layout = layout_walk, .holds = can_walk, .place = place_walk, .draw = draw_walk,
-    .draw_alone = draw_walk_alone,
+    .layout = layout_walk, .holds = tp_walk_can_draw, .place = tp_walk_place,
+    .draw = draw_walk, .draw_alone = draw_walk_alone,
 };

@@ -212,37 +212,56 @@ void tp_fast_rows_lay(tp_fast_rows *rows, const tp_row_point *a, const tp_row_po
     write_columns(rows, x, end - x, now, &step);
 }
 
-/* A column's middle lies half of its width minus half a pixel behind its first pixel. */
-void tp_fast_rows_lay_even(tp_fast_rows *rows, const tp_even_line *line)
+/* Lays segment i, from a to b, in columns from x on; returns the column behind it.  A
+ * column's middle lies half of its width minus half a pixel behind its first pixel. */
+TP_ALWAYS_INLINE int32_t lay_even_segment(tp_fast_rows *rows, const tp_even_line *line,
+                                          int32_t i, int32_t x, const tp_even_point *a,
+                                          const tp_even_point *b)
 {
     const int wide = rows->column_bits - 4, log2 = 4 - wide;    /* columns between points */
-    const values step = { .s = (uint32_t)line->step_s << wide,
-                          .t = (uint32_t)line->step_t << wide };
+    const int32_t off = x - (i << log2), across = b->v - a->v, first = x << wide;
+    values now = {
+        (uint32_t)a->v + (uint32_t)(wide ? across >> 5 : 0),
+        line->s + (uint32_t)first * (uint32_t)line->step_s
+            + (uint32_t)(wide ? line->step_s >> 1 : 0),
+        line->t + (uint32_t)first * (uint32_t)line->step_t
+            + (uint32_t)(wide ? line->step_t >> 1 : 0),
+        interpolate_slopes(a->n, b->n, wide ? 1 << 26 : 0), line->zi,
+    };
+    const values by = {
+        (uint32_t)(across >> log2), (uint32_t)line->step_s << wide,
+        (uint32_t)line->step_t << wide, slopes_step(a->n, b->n, 1 << (30 - log2)), 0,
+    };
+    int32_t stop = (i + 1) << log2;
+
+    now.v += by.v * (uint32_t)off;
+    now.n += by.n * (uint32_t)off;
+    stop = stop < rows->x1 ? stop : rows->x1;
+    write_columns(rows, x, stop - x, now, &by);
+    return stop;
+}
+
+void tp_fast_rows_lay_even(tp_fast_rows *rows, const tp_even_line *line)
+{
+    const int log2 = 8 - rows->column_bits;
     int32_t x = rows->x0;
 
-    for (int32_t stop; x < rows->x1; x = stop) {
-        const int32_t i = x >> log2, off = x - (i << log2);
-        const tp_even_point *a = &line->point[i], *b = a + 1;
-        const int32_t across = b->v - a->v, first = x << wide;
-        values now = {
-            (uint32_t)a->v + (uint32_t)(wide ? across >> 5 : 0),
-            line->s + (uint32_t)first * (uint32_t)line->step_s
-                + (uint32_t)(wide ? line->step_s >> 1 : 0),
-            line->t + (uint32_t)first * (uint32_t)line->step_t
-                + (uint32_t)(wide ? line->step_t >> 1 : 0),
-            interpolate_slopes(a->n, b->n, wide ? 1 << 26 : 0), line->zi,
-        };
-        values by = step;
-        by.v = (uint32_t)(across >> log2);
-        by.n = slopes_step(a->n, b->n, 1 << (30 - log2));
-        now.v += by.v * (uint32_t)off;
-        now.n += by.n * (uint32_t)off;
-        stop = (i + 1) << log2;
-        stop = stop < rows->x1 ? stop : rows->x1;
-        write_columns(rows, x, stop - x, now, &by);
+    while (x < rows->x1) {
+        const tp_even_point *a = &line->point[x >> log2];
+        x = lay_even_segment(rows, line, x >> log2, x, a, a + 1);
     }
     rows->laid0 = rows->x0;
     rows->laid1 = rows->x1;
+}
+
+void tp_fast_rows_lay_even_segment(tp_fast_rows *rows, const tp_even_line *line, int32_t i,
+                                   const tp_even_point pair[2])
+{
+    const int32_t begin = i << (8 - rows->column_bits);
+    const int32_t x = begin > rows->x0 ? begin : rows->x0;
+
+    if (x < rows->x1)
+        rows->laid1 = lay_even_segment(rows, line, i, x, &pair[0], &pair[1]);
 }
 
 void tp_fast_rows_remove(tp_fast_rows *rows, int32_t left_28_4, int32_t right_28_4)

@@ -98,6 +98,11 @@ typedef struct {
 /* Lays a whole line, in columns x0 to x1. */
 void tp_fast_rows_lay_even(tp_fast_rows *rows, const tp_even_line *line);
 
+/* Lays the segment between points i and i + 1 of a line whose `point` is not read; segments
+ * come from left to right, from the tile's first column to its last. */
+void tp_fast_rows_lay_even_segment(tp_fast_rows *rows, const tp_even_line *line, int32_t i,
+                                   const tp_even_point pair[2]);
+
 /* Removes the line between two u positions, and the previous line too: the next line starts
  * anew there. */
 void tp_fast_rows_remove(tp_fast_rows *rows, int32_t left_28_4, int32_t right_28_4);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Walked water: the same picture in every tiling, with depths and without; its error; the
- * views that it leaves to triangles. */
+/* Walked water: the same picture in every tiling, with depths and without, and with points
+ * that are not stored; its error; the views that it leaves to triangles. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -67,6 +67,83 @@ static void every_tiling_gives_the_same_bits(void **state)
     assert_true(walked > 20);
 }
 
+/* Returns the program whose walked water is streamed. */
+static const tp_program *streamed_program(void)
+{
+    static tp_program small;
+
+    small = tp_program_all;
+    small.method.walk = &tp_method_streamed_walk;
+    return &small;
+}
+
+static void streamed_points_give_the_same_bits(void **state)
+{
+    (void)state;
+    static uint32_t stored[PIXELS], streamed[PIXELS];
+    static const uint32_t sizes[][2] = {
+        { 0, 1 }, { 16, 2 }, { 48, 13 }, { 0, 16 }, { 32, 64 }, { 80, 5 },
+    };
+    int walked = 0;
+
+    for (int n = 0; n < 60; n++) {
+        const tp_scene scene = level_scene();
+        tp_config config = config_of(sizes[n % 6][0], sizes[n % 6][1], n % 5 == 0);
+        walked += draw(&scene, config_of(0, HEIGHT, false), stored) == TP_VISIBILITY_WALK;
+        config.program = streamed_program();
+        draw(&scene, config, streamed);
+        assert_memory_equal(streamed, stored, sizeof stored);
+    }
+    printf("  %d of 60 pictures walked\n", walked);
+    assert_true(walked > 30);
+}
+
+/* Rows of tall pictures are stored in units of several pixels. */
+static void tall_pictures_may_be_streamed(void **state)
+{
+    (void)state;
+    enum { TALL = 700, NARROW = 48 };
+    static uint32_t stored[NARROW * TALL], streamed[NARROW * TALL];
+    tp_scene  scene = level_scene();
+    tp_config config = config_of(16, 9, false);
+
+    scene.camera.pitch = -12 * TP_FX_ONE;
+    scene.camera.y = 6 * TP_FX_ONE;
+    config.width = NARROW;
+    config.height = TALL;
+    assert_int_equal(draw(&scene, config, stored), TP_VISIBILITY_WALK);
+    config.program = streamed_program();
+    assert_int_equal(draw(&scene, config, streamed), TP_VISIBILITY_WALK);
+    assert_memory_equal(streamed, stored, sizeof stored);
+}
+
+/* A stored point takes 8 bytes, a streamed point one. */
+static void streamed_points_take_an_eighth(void **state)
+{
+    (void)state;
+    const tp_scene scene = level_scene();
+    tp_config config = config_of(16, 2, false);
+    const size_t stored = tp_frame_bytes(&config, &scene);
+
+    config.program = streamed_program();
+    const size_t streamed = tp_frame_bytes(&config, &scene);
+    const size_t points = (HEIGHT / 8 + HEIGHT / 64 + 48) * (WIDTH / 16 + 1);
+    assert_true(streamed + 7 * points < stored);
+}
+
+/* A picture of odd width has no pairs of columns. */
+static void pairs_of_columns_take_half_the_scratch(void **state)
+{
+    (void)state;
+    const tp_scene scene = level_scene();
+    tp_config config = config_of(16, 2, false);
+    const size_t pairs = tp_frame_scratch_bytes(&config, &scene);
+
+    config.width = WIDTH + 1;
+    assert_int_equal(tp_frame_scratch_bytes(&config, &scene) - pairs,
+                     tp_fast_rows_bytes(16, 5));
+}
+
 static void walked_water_is_near_triangles(void **state)
 {
     (void)state;
@@ -128,6 +205,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_tiling_gives_the_same_bits),
+        cmocka_unit_test(streamed_points_give_the_same_bits),
+        cmocka_unit_test(tall_pictures_may_be_streamed),
+        cmocka_unit_test(streamed_points_take_an_eighth),
+        cmocka_unit_test(pairs_of_columns_take_half_the_scratch),
         cmocka_unit_test(walked_water_is_near_triangles),
         cmocka_unit_test(other_views_are_left_to_triangles),
         cmocka_unit_test(a_view_of_the_sky_alone_has_no_water),
