@@ -58,8 +58,10 @@ void frame_renderer_measure(frame_renderer *c, const tp_scene *scene,
     const tp_scene drawn = drawn_scene(&c->plan, scene);
 
     c->program = *c->machine->program;
-    if (c->stream)
+    if (c->stream) {
         c->program.method.triangles = &tp_method_streamed;
+        c->program.method.walk = &tp_method_streamed_walk;
+    }
     c->config.program = &c->program;
     c->config.assets = assets;
     c->frame_bytes = tp_frame_bytes(&c->config, &drawn);

@@ -156,6 +156,8 @@ static void make(component_list *to, const component_set *of,
     to->program.store[terms->format] = tp_program_all.store[terms->format];
     if (terms->streams && to->program.method.triangles)
         to->program.method.triangles = &tp_method_streamed;
+    if (terms->streams && to->program.method.walk)
+        to->program.method.walk = &tp_method_streamed_walk;
     if (terms->few && to->program.water.swells)
         to->program.water.swells = &tp_water_few_swells;
 }
@@ -276,6 +278,8 @@ static const char *piece_symbol(size_t i, const component_terms *terms)
     if (components[i].kind == COMPONENT_METHOD && terms->streams
         && !strcmp(name, "triangles"))
         return "streamed";
+    if (components[i].kind == COMPONENT_METHOD && terms->streams && !strcmp(name, "walk"))
+        return "streamed_walk";
     if (components[i].kind == COMPONENT_WATER && terms->few && !strcmp(name, "swells"))
         return "few_swells";
     return name;
