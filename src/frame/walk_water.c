@@ -110,8 +110,8 @@ static tp_fx near_eye(const tp_frame *frame, int axis, int64_t at)
 
 /* Waves are kept as if the points were 3/4 as far apart: against triangles at tick 60 that is
  * 28.2 dB in count-64, and 27.9 without. */
-tp_even_point tp_walk_make_point(const tp_frame *frame, const tp_walk_placed_line *line,
-                                 int32_t x)
+static tp_even_point make_point(const tp_frame *frame, const tp_walk_placed_line *line,
+                                int32_t x)
 {
     const int32_t flat = (int32_t)((line->row + (1 << 13)) >> 14) + TP_FX_ONE / 2;
     tp_fx place[2], step[2][2];
@@ -178,12 +178,36 @@ void tp_walk_begin_line(const tp_level *level, int32_t below, tp_walk_placed_lin
     };
 }
 
-static void keep_row(struct tp_walk *walk, size_t i, int32_t v)
+tp_even_point tp_walk_make_point(const tp_frame *frame, const tp_walk_placed_line *line,
+                                 int32_t x)
 {
-    const int32_t row = tp_clamp(v >> 16 >> walk->row_bits, 0, 255);
+    return make_point(frame, line, x);
+}
 
-    walk->row[i] = (uint8_t)row;
-    walk->top = row < walk->top ? row : walk->top;
+/* Stores the points of a line; returns its least v. */
+static int32_t store_points(const tp_frame *frame, const tp_walk_placed_line *at,
+                            tp_even_point *to)
+{
+    int32_t top = INT32_MAX;
+
+    for (uint32_t i = 0; i < frame->buffers.walk->cols; i++) {
+        to[i] = make_point(frame, at, (int32_t)i * TP_WALK_CELL);
+        top = to[i].v < top ? to[i].v : top;
+    }
+    return top;
+}
+
+/* Stores the rows of a line's points. */
+static void store_rows(const tp_frame *frame, const tp_walk_placed_line *at, uint8_t *to)
+{
+    struct tp_walk *walk = frame->buffers.walk;
+
+    for (uint32_t i = 0; i < walk->cols; i++) {
+        const int32_t v = make_point(frame, at, (int32_t)i * TP_WALK_CELL).v;
+        const int32_t row = tp_clamp(v >> 16 >> walk->row_bits, 0, 255);
+        to[i] = (uint8_t)row;
+        walk->top = row < walk->top ? row : walk->top;
+    }
 }
 
 static void place_line(tp_frame *frame, int32_t below)
@@ -195,17 +219,13 @@ static void place_line(tp_frame *frame, int32_t below)
     tp_walk_line   line;
 
     tp_walk_begin_line(&walk->level, below, &at, &line);
-    for (uint32_t i = 0; i < walk->cols; i++) {
-        const tp_even_point point = tp_walk_make_point(frame, &at, (int32_t)i * TP_WALK_CELL);
-        line.top = point.v < line.top ? point.v : line.top;
-        if (walk->row)
-            keep_row(walk, first + i, point.v);
-        else
-            walk->point[first + i] = point;
-    }
-    if (walk->line)
-        walk->line[k] = line;
     frame->stats.vertices += walk->cols;
+    if (walk->row) {
+        store_rows(frame, &at, walk->row + first);
+        return;
+    }
+    line.top = store_points(frame, &at, walk->point + first);
+    walk->line[k] = line;
 }
 
 void tp_walk_place(tp_frame *frame)
