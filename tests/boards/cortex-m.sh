@@ -51,6 +51,11 @@ links_another() # BOARD/SCENE: the same with a module in no list of these boards
     echo tp_stage_foam >>"$scratch/pieces"
     links_no_more "$scratch/pieces" "build/${1%/*}/baked/${1#*/}.c"
 }
+walks_with_a_glint()    # BOARD/SCENE: its list has no other water renderer
+{
+    list=build/${1%/*}/baked/${1#*/}.c
+    grep -qx ' \*     method walk' "$list" && grep -qx ' \*     stage  glint' "$list"
+}
 stack_holds()   # BOARD/SCENE: with room for an exception's frame
 {
     of=$shots/$1.said
@@ -70,6 +75,10 @@ for shot in "$shots"/*/*.said; do
     check "$shot: no piece is linked that its list lacks" links_its_list "$shot"
     refuse "$shot: nor is foam" links_another "$shot"
 done
+for board in stm32vldiscovery microbit; do
+    check "$board: bay is walked, with a glint" walks_with_a_glint "$board/bay@64"
+done
+refuse "lm3s6965evb: tarn is not" walks_with_a_glint lm3s6965evb/tarn
 
 # -- faults ---------------------------------------------------------------------------
 

@@ -5,4 +5,4 @@ ARCH    := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft -ffreestanding -DTP_RUN=16
 BOARD_C := $(addprefix ports/cortex-m/,main.c frame_crc.c start.c \
                semihost.c memory.c)
 # A small colour LCD; fits 16 KB of RAM.
-BAKE    := --size 160x128 --format rgb565be --strip 32 --band 8 --no-input
+BAKE    := --size 160x128 --format rgb565be --strip 16 --band 4 --no-input
