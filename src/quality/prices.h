@@ -94,7 +94,7 @@ tp_module_conditions tp_plan_module_conditions(const tp_plan_input *in);
 
 typedef struct {
     uint32_t water_pixels, other_pixels, vertices, waves;
-    tp_fx    clear;             /* mean square of the part of water's colour left by haze */
+    tp_fx    unhazed;           /* mean square of the part of water's colour left by haze */
     int32_t  focal;             /* size in px of 1 m at a distance of 1 m */
     tp_fx    near;              /* distance to the nearest water, m */
     uint8_t  trait[TP_TRAIT_COUNT];     /* times that a pixel pays it */

@@ -180,7 +180,7 @@ void tp_view_costs_make(tp_view_costs *view, const tp_prices *prices,
     view->other = o->other_pixels + hidden;
     view->share[TP_SHARE_all] = TP_FX_ONE;
     view->share[TP_SHARE_sky] = pixel_share(view->other, in);
-    view->share[TP_SHARE_water] = tp_fx_mul(pixel_share(view->water, in), o->clear) + 1;
+    view->share[TP_SHARE_water] = tp_fx_mul(pixel_share(view->water, in), o->unhazed) + 1;
     view->share[TP_SHARE_mirrored] = pixel_share(fixed.of[TP_WORK_looked_near], in);
     view->share[TP_SHARE_solid] = pixel_share(fixed.solid, in);
     set_parts(view, prices, in, &fixed);

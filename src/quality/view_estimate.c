@@ -30,7 +30,7 @@ static uint32_t square_left_by_haze(int64_t z, tp_fx h)
 
 /* Counts the rays that meet water, of RAYS x RAYS, and averages what haze leaves of it. */
 static uint32_t count_water_rays(const tp_scene *scene, const tp_start_view *at,
-                                 tp_fx *clear)
+                                 tp_fx *unhazed)
 {
     uint32_t seen = 0;
     uint64_t left = 0;
@@ -44,7 +44,7 @@ static uint32_t count_water_rays(const tp_scene *scene, const tp_start_view *at,
             if (z > 0 && scene->sky.haze > 0)
                 left += square_left_by_haze(z, scene->sky.haze);
         }
-    *clear = seen > 0 && scene->sky.haze > 0 ? (tp_fx)(left / seen) : TP_FX_ONE;
+    *unhazed = seen > 0 && scene->sky.haze > 0 ? (tp_fx)(left / seen) : TP_FX_ONE;
     return seen;
 }
 
@@ -337,7 +337,7 @@ tp_view_estimate tp_view_estimate_make(const tp_plan_input *in)
     int64_t waves = 0, crests = 0;
 
     o.water_pixels =
-        (uint32_t)(pixels * count_water_rays(scene, &at, &o.clear) / (RAYS * RAYS));
+        (uint32_t)(pixels * count_water_rays(scene, &at, &o.unhazed) / (RAYS * RAYS));
     o.other_pixels = (uint32_t)pixels - o.water_pixels;
     o.vertices = tp_fan_budget(scene) * 9 / 10;     /* seen ones */
     o.in_view = count_vertices_in_view(scene, &at);

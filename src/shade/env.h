@@ -93,6 +93,15 @@ TP_ALWAYS_INLINE uint32_t tp_env_dome(const tp_shade *shade, uint32_t least, int
 
 /* -- the cube ------------------------------------------------------------------------ */
 
+/* Returns the mask of the texels of a cube's face.  A PNG without alpha loads with alpha 255
+ * in each texel.  No real face is that bright all over: such a face has no light beyond
+ * white. */
+static inline uint32_t tp_cube_face_mask(const tp_texture *face)
+{
+    TP_ASSERT(face->levels > 0 && face->levels <= TP_TEXTURE_LEVELS);
+    return face->level[face->levels - 1][0] >> 24 == 255 ? 0x00ffffffu : 0xffffffffu;
+}
+
 /* A face of the cube, and the position on it: right / m and down / m, where m is the
  * largest component. */
 typedef struct {

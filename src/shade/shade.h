@@ -96,15 +96,6 @@ void tp_dome_init(tp_dome *dome, const tp_dome_config *config);
 /* Returns the squared chord of entry i of the glow, Q28. */
 uint32_t tp_glow_entry_squared_chord(uint32_t i);
 
-/* Returns the mask of the texels of a cube's face.  A PNG without alpha loads with alpha 255
- * in each texel.  No real face is that bright all over: such a face has no light beyond
- * white. */
-static inline uint32_t tp_cube_face_mask(const tp_texture *face)
-{
-    TP_ASSERT(face->levels > 0 && face->levels <= TP_TEXTURE_LEVELS);
-    return face->level[face->levels - 1][0] >> 24 == 255 ? 0x00ffffffu : 0xffffffffu;
-}
-
 /* Returns false if a face is missing; the cube is then not usable. */
 bool tp_cube_init(tp_cube *cube, const tp_texture *const face[TP_CUBE_FACES]);
 void tp_recip_init(uint32_t recip[TP_RECIP + 2]);

@@ -299,6 +299,28 @@ static void errors_fade_in_haze(void **state)
     }
 }
 
+/* The view's exposure part has the price of HDR stages only under a sky with light beyond
+ * white: a gradient and a dome without a sun have none. */
+static void light_beyond_white_is_paid_where_there_is_some(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 40; n++) {
+        tp_scene s = swells_any();
+        uint64_t part[2];
+        s.sky.kind = n & 1 ? TP_SKY_DAY : TP_SKY_GRADIENT;
+        s.sky.sun = n & 2 ? TP_FX(8) : 0;
+        for (int i = 0; i < 2; i++) {
+            s.hdr.share = i * TP_FX_ONE;
+            const tp_view_costs view = view_of(&s);
+            part[i] = view.part[TP_PART_exposure];
+        }
+        if ((n & 3) == 3)
+            assert_true(part[1] > part[0]);
+        else
+            assert_true(part[1] == part[0]);
+    }
+}
+
 static void kinds_that_are_not_open_stay(void **state)
 {
     (void)state;
@@ -351,6 +373,7 @@ int main(void)
         cmocka_unit_test(each_step_is_cheaper),
         cmocka_unit_test(walks_light_every_column_in_a_lobe),
         cmocka_unit_test(errors_fade_in_haze),
+        cmocka_unit_test(light_beyond_white_is_paid_where_there_is_some),
         cmocka_unit_test(kinds_that_are_not_open_stay),
         cmocka_unit_test(refined_sets_err_less_and_stay_within_the_cost),
     };

@@ -5,8 +5,9 @@
  * haze. The tables are made in shade/.  Haze is air between the eye and everything except
  * the sky.
  *
- *     sky_drawing.c      the modules: dome (day, dusk, night), stars, cube map, haze;
- *                        the cost of their pixels
+ *     sky_drawing.c      the modules: dome (day, dusk, night), stars, cube map; the cost of
+ *                        their pixels
+ *     haze_drawing.c     the module haze, and the cost of its pixels
  *     sky_stage.c        the visible cube map of six textures, the visible dome, exact; their
  *                        reflections
  *     fast_dome_stage.c  the visible dome, by fast stages
@@ -32,6 +33,12 @@
  * if the sky has no light beyond white, that is a gradient, a dome without a sun, or a cube
  * of pictures without alpha. */
 uint32_t tp_beyond_white(const tp_scene *scene, const tp_assets *assets);
+
+static inline bool tp_dome_config_equal(const tp_dome_config *a, const tp_dome_config *b)
+{
+    return a->kind == b->kind && a->horizon == b->horizon && a->zenith == b->zenith
+        && a->light == b->light && a->sun == b->sun;
+}
 
 /* -- helpers of the stages ----------------------------------------------------------- */
 
