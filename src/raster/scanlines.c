@@ -51,8 +51,8 @@ typedef struct {
 } column_st;
 
 /* Kinds of segments: a line with water down to the previous line; the first line behind a
- * gap, or behind triangles that fill the gap; the edge of a side. */
-enum { LINE, BEHIND_GAP, BEHIND_TRIANGLES, SIDE };
+ * gap, as the edge of a side is, or behind triangles that fill the gap. */
+enum { LINE, BEHIND_GAP, BEHIND_TRIANGLES };
 
 /* Rows between two lines.  For closer lines a pixel between takes the values of the
  * nearer line. */
@@ -254,18 +254,18 @@ void tp_rows_draw_line(tp_rows *rows, const tp_row_point *point, uint32_t count)
 void tp_rows_restart_line(tp_rows *rows, const tp_row_point *point, uint32_t count,
                           bool behind_triangles)
 {
-    for (uint32_t i = 1; i < count; i++) {
-        if (behind_triangles)
-            rasterize_segment(rows, &point[i - 1], &point[i], BEHIND_TRIANGLES);
-        else
-            rasterize_segment(rows, &point[i - 1], &point[i], BEHIND_GAP);
-    }
+    const int kind = behind_triangles ? BEHIND_TRIANGLES : BEHIND_GAP;
+
+    for (uint32_t i = 1; i < count; i++)
+        rasterize_segment(rows, &point[i - 1], &point[i], kind);
 }
 
 void tp_rows_restart_side(tp_rows *rows, const tp_row_point *left,
                           const tp_row_point *right)
 {
-    rasterize_segment(rows, left, right, SIDE);
+    const tp_row_point point[2] = { *left, *right };
+
+    tp_rows_restart_line(rows, point, 2, false);
 }
 
 void tp_rows_mark_gap(tp_rows *rows, int32_t left_28_4, int32_t right_28_4)
