@@ -86,6 +86,9 @@ $(BUILD)/baked/%.o: $(BUILD)/baked/%.c $(BUILD)/flags
 elf: $(BUILD)/scenes/$(SCENE).elf
 elves: $(SCENES:%=$(BUILD)/scenes/%.elf)
 BOARD_O  := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(BOARD_C))))
+ifneq ($(SMALL),)
+$(filter-out %/memory.o,$(BOARD_O)): private FLAGS += $(SMALL)
+endif
 LD_FILES := $(if $(BOARD),$(BOARD_LD) $(wildcard $(dir $(BOARD_LD))../*.ld))
 # All that a test's own program for a board needs besides its own objects.
 BOARD_REST := $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)

@@ -26,7 +26,7 @@ BARE    := -Isrc -ffreestanding -ffunction-sections -fdata-sections
 HOSTED  := -Iports -Iports/library -Isrc -I.
 COMPILE  = $(CC) $(FLAGS) $(CPPFLAGS) $(CFLAGS)
 LINK     = $(CC) $(OPT) $(ARCH) $(LDFLAGS)
-ALL_FLAGS = $(COMPILE) $(TESTS_OPT) $(SDL_CFLAGS)
+ALL_FLAGS = $(COMPILE) $(SMALL) $(TESTS_OPT) $(SDL_CFLAGS)
 # Prints one short line for each output; with V=1 the whole command.
 SAY      = $(if $(V),,@echo '  $@';)
 
