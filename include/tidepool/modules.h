@@ -78,7 +78,9 @@ TP_FORMAT_LIST(X)
 #define TP_WATER_LIST(X) \
     X(swells)       /* sums of waves; without them the water is level */ \
     X(coastal)      /* coastal water: over a floor or in a wind; needs swells */ \
-    X(rings) X(pools)
+    X(rings) X(pools) \
+    X(samples)      /* swells above a position: for things in the water, eyes near it */ \
+    X(points)       /* swells of level water: for projected, flat and walk */
 
 #define X(name) extern const struct tp_water_##name tp_water_##name;
 TP_WATER_LIST(X)
@@ -100,7 +102,17 @@ extern const struct tp_water_swells tp_water_few_swells;
 /* -- water renderers and cheaper drawing; src/frame/frame.h --------------------------- */
 
 #define TP_DRAW_LIST(X) \
+    X(cells)            /* triangles of the grid: all, or the cells that rows must clip */ \
     X(culling)          /* waves too faint to be seen are not drawn */ \
+    X(row_sides)        /* rows that end in the picture */ \
+    X(row_middles)      /* middle lines of rows of wide cells */ \
+    X(row_land)         /* rows over a floor, which may rise out of the water */ \
+    X(flat_waves)       /* slopes of waves on the level plane of flat */ \
+    X(flat_roll)        /* flat for cameras that roll */ \
+    X(horizon)          /* colours around the horizon, for quality.haze */ \
+    X(tone_rgb565) X(tone_rgb565be)     /* tone mapping and store at once */ \
+    X(baking)           /* fast water's textures, if the assets have none */ \
+    X(cube_map)         /* fast water's map of a cube sky */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
     X(fast_waves)       /* vertices in 32 bits, for quality.waves */ \
@@ -373,12 +385,16 @@ typedef struct tp_lack {
 
 struct tp_scene;
 struct tp_assets;
+struct tp_steering;
 
 typedef struct tp_program {
     /* tp_scene_check, which every init function calls.  NULL: scenes are trusted, which is
      * right for a baked scene: `tidepool bake` has checked it.  The check links the table
      * of parameters. */
     tp_status (*check)(const struct tp_scene *scene, tp_error *err);
+    /* &tp_world_steering, which moves the camera and the clock by the input of a tick.
+     * NULL: ticks leave both, which is right for programs without input. */
+    const struct tp_steering *steering;
     tp_stages          stage;
     tp_store           store[TP_FORMAT_COUNT];
     tp_wave_models     water;
@@ -391,6 +407,8 @@ typedef struct tp_program {
                         const struct tp_assets *assets, tp_error *err);
     const tp_lack *lacks;       /* ends with { 0 }; NULL: none */
 } tp_program;
+
+extern const struct tp_steering tp_world_steering;
 
 /* Returns TP_OK, or an error that names the first module of `lacks` that the scene has
  * on. */

@@ -17,6 +17,7 @@ static const tp_use all[] = {
 const tp_program tp_program_all = {
     .modules = all,
     .check = tp_scene_check,
+    .steering = &tp_world_steering,
     .stage = {
 #define X(name) TP_STAGE(name),
         TP_STAGE_LIST(X)

@@ -20,7 +20,7 @@ static bool check_enabled_and_reserve_marks(tp_frame_buffers *buffers, const tp_
                                             uint32_t *mark)
 {
     *mark = 0;
-    if (!tp_module_ask_enabled(u->module, conditions) || !u->drawing)
+    if (!tp_module_ask_condition(u->module, conditions) || !u->drawing)
         return false;
     if (!u->drawing->marks)
         return true;
@@ -91,7 +91,7 @@ void tp_frame_enable_modules(tp_frame *frame)
     const tp_use *use = frame->program->modules;
     for (uint32_t i = 0; use && use[i].module; i++)
         if (module_has_needed_memory(frame, i)
-            && tp_module_ask_enabled(use[i].module, &conditions)) {
+            && tp_module_ask_condition(use[i].module, &conditions)) {
             frame->modules_on |= (uint64_t)1 << i;
             if (use[i].drawing && use[i].drawing->outlining)
                 frame->outlined = (uint8_t)(i + 1);

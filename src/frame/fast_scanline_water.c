@@ -39,7 +39,7 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, tp_column_range
     const tp_frame *frame = w->frame;
     const tp_fan *fan = frame->buffers.grid->fan;
     const tp_grid_vertex *vertex = w->window.line[k & 1];
-    const bool land = frame->buffers.grid->dry != NULL;
+    const struct tp_draw_row_land *land = tp_line_land(frame);
     int32_t right = vertex[part.first].u;
     tp_row_point end[2];        /* of point m: end[m & 1], if `made` */
     bool made = false;
@@ -49,7 +49,7 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, tp_column_range
         right = vertex[m + 1].u;
         bool out = left == TP_GRID_NEEDS_CLIP || right == TP_GRID_NEEDS_CLIP
                    || right <= 16 * pixels.x0 || left >= 16 * pixels.x1;
-        if (!out && land && tp_line_is_land(frame, k, m)) {
+        if (!out && land && land->is_land(frame, k, m)) {
             tp_fast_rows_remove(&w->rows, left, right);
             out = true;
         }
@@ -133,7 +133,7 @@ static walk begin_walk(const tp_frame *frame, const tp_gbuffer *tile, void *memo
     walk w = { .frame = frame, .window = tp_frame_grid_window(frame, memory) };
 
     tp_fast_rows_begin(&w.rows, tile, memory, frame->column_bits, keyed);
-    w.rows.oblique = frame->buffers.grid->fan->law.walled;
+    w.rows.oblique = frame->buffers.grid->fan->law.walls;
     return w;
 }
 
@@ -155,7 +155,8 @@ static void draw_fast_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory
         if (next->cells.first >= next->cells.end) {
             kind = TP_LINE_BEHIND_GAP;
         } else if (next->is & TP_LINE_CUT) {
-            tp_line_draw_triangles(frame, tile, &w.window, k - 1);
+            if (frame->program->draw.cells)
+                frame->program->draw.cells->draw_row(frame, tile, &w.window, k - 1);
             w.rows.solid = true;
             kind = TP_LINE_BEHIND_TRIANGLES;
         } else {
@@ -223,7 +224,7 @@ static tp_line_scale make_line_scale(const tp_frame *frame, uint32_t k)
 {
     const tp_projection *p = &frame->projection;
     const tp_grid *grid = frame->buffers.grid;
-    const tp_dir3 along = tp_fan_rows_direction(&p->turn, grid->fan->law.walled);
+    const tp_dir3 along = tp_fan_rows_direction(&p->turn, grid->fan->law.walls);
     const uint32_t m = grid->cols / 2;
     const int64_t x = (int64_t)tp_grid_s(grid, m, k) - p->eye.x, y = -(int64_t)p->eye.y;
     const int64_t z = (int64_t)tp_grid_t(grid, m, k) - p->eye.z;
@@ -253,4 +254,5 @@ static void place_fast_lines(tp_frame *frame)
 const struct tp_water_renderer tp_method_lines = {
     .layout = layout_fast_lines, .place = place_fast_lines, .draw = draw_fast_rows,
     .draw_alone = draw_alone,
+    .level_keys = tp_frame_shade_level_run,
 };

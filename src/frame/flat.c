@@ -20,7 +20,7 @@ typedef struct {
 } flat_walker;
 
 /* Neighbouring pixels of one row. */
-typedef struct {
+typedef struct tp_flat_piece {
     uint32_t *key, *s, *t, *n;
     int32_t   x, y, count;
     uint32_t  zi, zi_step;
@@ -127,19 +127,28 @@ TP_ALWAYS_INLINE void fill_without_waves(const flat_piece *p, int rolled, int te
     }
 }
 
+static void fill_waves_piece(const tp_frame *frame, const struct tp_flat_piece *p,
+                             bool tested)
+{
+    if (frame->buffers.level->rolled)
+        fill_with_waves(frame, p, 1, 1);
+    else if (tested)
+        fill_with_waves(frame, p, 0, 1);
+    else
+        fill_with_waves(frame, p, 0, 0);
+}
+
+const struct tp_draw_flat_waves tp_draw_flat_waves = {
+    tp_frame_layout_slopes, tp_frame_place_slopes, fill_waves_piece,
+};
+
+/* Pieces of pictures that do not roll. */
 static void fill_piece(const tp_frame *frame, const flat_piece *p, bool tested)
 {
     TP_ASSERT(p->count > 0 && p->x >= 0 && p->y >= 0);
-    bool waves = tp_surface_has_swells(&frame->surface);
 
-    if (frame->buffers.level->rolled && waves)
-        fill_with_waves(frame, p, 1, 1);
-    else if (frame->buffers.level->rolled)
-        fill_without_waves(p, 1, 1);
-    else if (waves && tested)
-        fill_with_waves(frame, p, 0, 1);
-    else if (waves)
-        fill_with_waves(frame, p, 0, 0);
+    if (tp_surface_has_swells(&frame->surface))
+        frame->program->draw.flat_waves->fill(frame, p, tested);
     else if (tested)
         fill_without_waves(p, 0, 1);
     else
@@ -207,6 +216,14 @@ static bool is_depth_nearly_equal(const knot *a, const knot *b)
     return a->down > 0 && b->down > 0 && change <= a->down >> 5;
 }
 
+static void fill_rolled_piece(const tp_frame *frame, const flat_piece *p)
+{
+    if (tp_surface_has_swells(&frame->surface))
+        frame->program->draw.flat_waves->fill(frame, p, true);
+    else
+        fill_without_waves(p, 1, 1);
+}
+
 static void draw_interpolated_positions(const tp_frame *frame, flat_piece *p, const knot *a,
                               const knot *b)
 {
@@ -218,7 +235,7 @@ static void draw_interpolated_positions(const tp_frame *frame, flat_piece *p, co
         p->place[axis] =
             (flat_walker){ ((uint64_t)a->place[axis] << 16) + step * off, step };
     }
-    fill_piece(frame, p, true);
+    fill_rolled_piece(frame, p);
 }
 
 static void draw_pixel_by_pixel(const tp_frame *frame, const flat_piece *block)
@@ -229,11 +246,11 @@ static void draw_pixel_by_pixel(const tp_frame *frame, const flat_piece *block)
                     block->x + i, block->y, 1, block->zi + block->zi_step * (uint32_t)i,
                     0, { { (uint64_t)k.place[0] << 16, 0 },
                          { (uint64_t)k.place[1] << 16, 0 } } };
-        fill_piece(frame, &p, true);
+        fill_rolled_piece(frame, &p);
     }
 }
 
-static void draw_rolled_row(const tp_frame *frame, const flat_piece *row)
+static void draw_rolled_row(const tp_frame *frame, const struct tp_flat_piece *row)
 {
     const tp_level *level = frame->buffers.level;
     knot a = intersect_level_plane(level, row->x & ~(BLOCK - 1), row->y);
@@ -259,6 +276,8 @@ static void draw_rolled_row(const tp_frame *frame, const flat_piece *row)
         a = b;
     }
 }
+
+const struct tp_draw_flat_roll tp_draw_flat_roll = { draw_rolled_row };
 
 /* -- a tile -------------------------------------------------------------------------- */
 
@@ -287,7 +306,7 @@ static void draw_flat(const tp_frame *frame, tp_gbuffer *tile, void *memory)
         flat_piece  p = { tile->key + at, tile->s + at, tile->t + at, tile->n + at, x0, y,
                      x1 - x0, 0, 0, { { 0, 0 }, { 0, 0 } } };
         if (level->rolled)
-            draw_rolled_row(frame, &p);
+            frame->program->draw.flat_roll->draw_row(frame, &p);
         else
             draw_row_without_roll(frame, &p, has_any_sample(p.key, p.count));
     }
@@ -300,13 +319,14 @@ static void layout_flat(tp_frame_buffers *buffers, tp_arena *arena,
                         const tp_config *config)
 {
     buffers->level = tp_arena_alloc(arena, 1, sizeof *buffers->level);
-    if (program->water.swells)
-        tp_frame_layout_slopes(buffers, arena, scene, config);
+    if (program->water.swells && program->draw.flat_waves)
+        program->draw.flat_waves->layout(buffers, arena, scene, config);
 }
 
 static bool can_draw_flat(tp_frame *frame)
 {
     return tp_frame_can_use_level_plane(frame)
+           && (frame->projection.turn.x.y == 0 || frame->program->draw.flat_roll)
            && (!tp_surface_has_swells(&frame->surface) || frame->buffers.slopes);
 }
 
@@ -314,7 +334,7 @@ static void place_flat(tp_frame *frame)
 {
     tp_frame_place_level(frame);
     if (tp_surface_has_swells(&frame->surface))
-        tp_frame_place_slopes(frame);
+        frame->program->draw.flat_waves->place(frame);
 }
 
 const struct tp_water_renderer tp_method_flat = {

@@ -134,8 +134,8 @@ static tp_assets assets_or_empty(const tp_assets *assets)
 /* Checks the stages and the pixel store needed by each picture. */
 static tp_status check_program(const tp_program *program, tp_format format, tp_error *err)
 {
-    if (!program->stage.sky || !program->stage.plain)
-        return tp_program_fail_lacking(program->stage.sky ? "plain" : "sky", err);
+    if (!program->stage.plain)
+        return tp_program_fail_lacking("plain", err);
     return program->store[format] ? TP_OK
                                   : tp_program_fail_lacking(tp_format_name(format), err);
 }

@@ -84,7 +84,8 @@ struct tp_frame {
     uint8_t          column_bits;       /* of fast rows and walked water, see tp_fast_rows;
                                          * 0: other water */
     const tp_level_linear *level_zi;    /* near / depth of level water, Q1.43, for these */
-    bool             level_keys;        /* true: stages read the depth of level water */
+    /* Shades a run by the depth of level water; NULL: stages read that of the tile. */
+    void (*level_keys)(const tp_frame *frame, const tp_shaders *list, tp_run *run);
     tp_grid_box      solids;            /* box of the picture's solids */
 
     tp_view          view;              /* render view of the picture itself */
@@ -101,8 +102,7 @@ struct tp_frame {
     tp_shade         shade;
     const tp_rgb565_tone_map *tone_map; /* tone mapping and store in one table, or NULL */
     /* Writes pixels through `toned`; or NULL. */
-    void (*store_tone_mapped)(const tp_rgb565_tone_map *toned, void *to,
-                              const uint32_t *colours, int count);
+    tp_tone_mapped_store *store_tone_mapped;
 };
 
 /* Returns the shader list of a stencil value. */
@@ -158,15 +158,10 @@ void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
 void tp_frame_place_slopes(tp_frame *frame);
 
 /* grid_water.c: starts the grid's lines, then places the points of line j, in order
- * from 0.  A tile reads them through a window in its renderer's memory.  Cells [first,
- * end) of row j are drawn, or their box after the frustum clip is returned; they need
- * the line placed last and the line before it, or any stored lines. */
+ * from 0.  A tile reads them through a window in its renderer's memory. */
 void tp_frame_begin_grid(tp_frame *frame);
 void tp_frame_place_grid_line(tp_frame *frame, uint32_t j);
 tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory);
-void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
-                         tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end);
-tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
 
 /* scanline_grid.c: true if scanline water draws this frame as triangles would. */
 bool tp_frame_can_draw_rows(tp_frame *frame);
@@ -190,7 +185,7 @@ static inline void tp_frame_shade_run(const tp_frame *frame, const tp_shaders *l
                                       bool level, tp_run *run)
 {
     if (level && frame->level_keys && TP_MARK(run->key[0]) == TP_MARK_WATER)
-        tp_frame_shade_level_run(frame, list, run);
+        frame->level_keys(frame, list, run);
     else
         tp_frame_run_stages(frame, list, run);
 }
@@ -269,6 +264,9 @@ struct tp_water_renderer {
      * Returns false if it cannot.  NULL: it never can. */
     bool (*draw_alone)(const tp_frame *frame, const tp_gbuffer *tile, void *memory,
                        tp_water_rows *found);
+    /* tp_frame_shade_level_run, for renderers whose stages may read the depth of level
+     * water. */
+    void (*level_keys)(const tp_frame *frame, const tp_shaders *list, tp_run *run);
 };
 
 /* True if the scene asks for fast rows and the program has them. */
@@ -299,6 +297,54 @@ static inline size_t tp_renderer_tile_bytes(const tp_program *program, const tp_
     return program->method.rows || program->method.projected
                ? sizeof(tp_row_column) * config->tile_width : 0;
 }
+
+/* Edges of rows, scanline_water.c: line k whose row of cells ends in the picture, and a
+ * middle line of row k, for wide cells.  A frame that needs a missing one counts as dropped. */
+struct tp_row_walk;
+struct tp_draw_row_sides {
+    void (*lay)(struct tp_row_walk *walk, uint32_t k);
+};
+struct tp_draw_row_middles {
+    void (*lay)(struct tp_row_walk *walk, uint32_t k);
+};
+
+/* Land in rows over a floor: is_land is true if segment m of line k has land on both sides;
+ * mark_gap leaves the columns between two places out. */
+struct tp_draw_row_land {
+    bool (*is_land)(const tp_frame *frame, uint32_t k, uint32_t m);
+    void (*mark_gap)(tp_rows *rows, int32_t left, int32_t right);
+};
+
+/* The grid's cells as triangles; grid_cells.c: draws row j, or returns the box of its cells
+ * [first, end) after the frustum clip, which needs the line placed last and the line before
+ * it, or stored lines.  Without this part no triangles are drawn: a frame that
+ * needs some counts as dropped. */
+struct tp_draw_cells {
+    tp_cell_drawer *draw_cell;          /* the exact one */
+    void (*draw_row)(const tp_frame *frame, const tp_gbuffer *tile, tp_grid_window *window,
+                     uint32_t j);
+    tp_grid_box (*box)(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
+};
+
+/* Parts of flat water, flat.c: its waves, and rows of pictures that roll. */
+struct tp_flat_piece;
+struct tp_draw_flat_waves {
+    void (*layout)(tp_frame_buffers *buffers, tp_arena *arena, const tp_scene *scene,
+                   const tp_config *config);
+    void (*place)(tp_frame *frame);
+    void (*fill)(const tp_frame *frame, const struct tp_flat_piece *piece, bool tested);
+};
+struct tp_draw_flat_roll {
+    void (*draw_row)(const tp_frame *frame, const struct tp_flat_piece *row);
+};
+
+/* Tone mapping and store in one, of a format; without it the stage `expose` maps. */
+struct tp_draw_tone_rgb565 {
+    tp_tone_mapped_store *store;
+};
+struct tp_draw_tone_rgb565be {
+    tp_tone_mapped_store *store;
+};
 
 /* The water's triangles by cheaper arithmetic, for quality.triangles = fast. */
 struct tp_draw_fast_triangles {

@@ -1,228 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* The water's cells as triangles. */
+/* The water's grid: its placement, and its triangles; see grid_cells.c. */
 #include "frame/frame.h"
 #include "frame/tools.h"
 #include "view/fan.h"
 #include "view/wave_models.h"
 
-static tp_screen_vertex make_corner(const tp_grid *grid, const tp_grid_window *window,
-                                    uint32_t i, uint32_t j)
-{
-    const tp_grid_vertex *vertex = &window->line[j & 1][i];
-    return (tp_screen_vertex){
-        .u = vertex->u, .v = vertex->v, .zi = vertex->zi,
-        .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j),
-        .n = { vertex->slope_x, vertex->slope_z, 0 },
-    };
-}
-
-/* Vertex order of a cell: (i, j), (i+1, j), (i+1, j+1), (i, j+1).  Both triangles are
- * front faces when seen from above. */
-static const uint8_t halves[2][3] = { { 0, 3, 2 }, { 0, 2, 1 } };
-
-static bool needs_clipping(const tp_grid_window *window, uint32_t i, uint32_t j)
-{
-    const tp_grid_vertex *a = &window->line[j & 1][i], *b = &window->line[(j + 1) & 1][i];
-
-    return a[0].u == TP_GRID_NEEDS_CLIP || a[1].u == TP_GRID_NEEDS_CLIP
-           || b[0].u == TP_GRID_NEEDS_CLIP || b[1].u == TP_GRID_NEEDS_CLIP;
-}
-
-/* Cells of a run at most: 8 take 224 bytes more stack, beyond the limit of its gate, and
- * save 0.28 M instructions of the 70 M of storm. */
-#define RUN 4
-
-/* A run of neighbouring cells that need clipping, with their corners on both lines. */
-typedef struct {
-    uint32_t       first, end;          /* cells; end is 0 before the first run */
-    tp_view_vertex line[2][RUN + 1];
-} clipped_run;
-
-/* Makes the corners of the cells that need clipping from cell i of row j on, if the run does
- * not have them yet; the cells end before cell `stop`.  A wave model sets up a line of
- * vertices once a run. */
-static void extend_run(const tp_frame *frame, const tp_grid_window *window, uint32_t i,
-                       uint32_t stop, uint32_t j, clipped_run *run)
-{
-    if (i < run->end)
-        return;
-    run->first = i;
-    run->end = i + 1;
-    stop = stop < i + RUN ? stop : i + RUN;
-    while (run->end < stop && needs_clipping(window, run->end, j))
-        run->end++;
-    for (uint32_t k = 0; k < 2; k++)
-        tp_grid_make_view_vertices(frame->buffers.grid, window->line[(j + k) & 1], j + k, i,
-                                   run->end + 1, run->line[k]);
-}
-
-/* Clips one triangle of a cell by the frustum; returns the number of vertices left. */
-static int clip_cell_half(const tp_frame *frame, const clipped_run *run, uint32_t i,
-                          int half, tp_screen_vertex to[TP_CLIP_VERTICES])
-{
-    const uint8_t *k = halves[half];
-    const tp_view_vertex *a = &run->line[0][i - run->first];
-    const tp_view_vertex *b = &run->line[1][i - run->first];
-    const tp_view_vertex *const c[4] = { &a[0], &a[1], &b[1], &b[0] };
-    const tp_view_vertex in[3] = { *c[k[0]], *c[k[1]], *c[k[2]] };
-
-    return tp_clipped_corners(&frame->projection, NULL, in, to);
-}
-
-/* Draws a cell of the run. */
-static void draw_clipped_cell(const tp_frame *frame, const tp_gbuffer *tile,
-                              const clipped_run *run, uint32_t i)
-{
-    tp_screen_vertex corner[TP_CLIP_VERTICES];
-
-    for (int half = 0; half < 2; half++) {
-        int count = clip_cell_half(frame, run, i, half, corner);
-        for (int k = 2; k < count; k++)
-            tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
-    }
-}
-
-/* The places of vertices beside a tile, 28.4 px: all pixel centres of the tile are right of
- * `left` or less, left of `right` or more, and so on. */
-typedef struct {
-    int32_t left, right, above, below;
-} tile_sides;
-
-static tile_sides tile_sides_make(const tp_gbuffer *tile)
-{
-    return (tile_sides){ 16 * tile->x0 + 8, 16 * tile->x1 - 7, 16 * tile->y0 + 8,
-                         16 * tile->y1 - 7 };
-}
-
-/* Returns on which sides of the tile a vertex lies: the sign bits of four differences.  A
- * vertex that needs clipping lies anywhere, so the answer is 0. */
-TP_ALWAYS_INLINE uint32_t outside_of_tile(const tile_sides *tile, const tp_grid_vertex *vertex)
-{
-    const int32_t u = vertex->u, v = vertex->v;
-
-    if (u == TP_GRID_NEEDS_CLIP)
-        return 0;
-    return (uint32_t)(v - tile->above - 1) >> 31 | (uint32_t)(tile->below - v - 1) >> 31 << 1
-           | (uint32_t)(u - tile->left - 1) >> 31 << 2
-           | (uint32_t)(tile->right - u - 1) >> 31 << 3;
-}
-
-/* The two vertices of a column, on lines j and j + 1. */
-typedef struct {
-    uint32_t outside;           /* sides of the tile that both lie beyond */
-    bool     made;              /* true if the corners are */
-    tp_screen_vertex corner[2];
-} column;
-
-TP_ALWAYS_INLINE void begin_column(column *to, const tile_sides *tile,
-                                   const tp_grid_vertex *above, const tp_grid_vertex *below)
-{
-    to->outside = outside_of_tile(tile, above) & outside_of_tile(tile, below);
-    to->made = false;
-}
-
-static void make_corners(column *to, const tp_grid *grid, const tp_grid_window *window,
-                         uint32_t i, uint32_t j)
-{
-    if (to->made)
-        return;
-    to->corner[0] = make_corner(grid, window, i, j);
-    to->corner[1] = make_corner(grid, window, i, j + 1);
-    to->made = true;
-}
-
-/* Draws cells first to end - 1; the right side of a cell is the left side of the next
- * cell.  Most cells of a block lie above or below the tile. */
-void tp_frame_draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
-                         tp_grid_window *window, uint32_t j, uint32_t first, uint32_t end)
-{
-    TP_ASSERT(first < end && end < frame->buffers.grid->cols);
-    TP_ASSERT(j + 1 < frame->buffers.grid->rows);
-    const tp_grid *grid = frame->buffers.grid;
-    const tile_sides sides = tile_sides_make(tile);
-    column side[2];
-    clipped_run run;
-
-    tp_grid_window_load(grid, window, j, first, end + 1);
-    tp_grid_window_load(grid, window, j + 1, first, end + 1);
-    const tp_grid_vertex *above = window->line[j & 1], *below = window->line[(j + 1) & 1];
-    begin_column(&side[first & 1], &sides, &above[first], &below[first]);
-    run.end = 0;
-    for (uint32_t i = first; i < end; i++) {
-        column *left = &side[i & 1], *right = &side[(i + 1) & 1];
-        begin_column(right, &sides, &above[i + 1], &below[i + 1]);
-        if (left->outside & right->outside || tp_grid_cell_is_dry(grid, i, j))
-            continue;
-        if (needs_clipping(window, i, j)) {
-            extend_run(frame, window, i, end, j, &run);
-            draw_clipped_cell(frame, tile, &run, i);
-            continue;
-        }
-        make_corners(left, grid, window, i, j);
-        make_corners(right, grid, window, i + 1, j);
-        frame->draw_cell(tile, left->corner, right->corner);
-    }
-}
-
-/* Returns the cells of block b, without cells out of view. */
-static tp_grid_span block_span(tp_grid_span span, uint32_t b)
-{
-    uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
-
-    first = first > span.first ? first : span.first;
-    end = end < span.end ? end : span.end;
-    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
-}
-
 /* -- placement ----------------------------------------------------------------------- */
-
-static void widen_box_by_clipped_cell(const tp_frame *frame, tp_grid_box *box,
-                                      const clipped_run *run, uint32_t i)
-{
-    tp_screen_vertex corner[TP_CLIP_VERTICES];
-
-    for (int half = 0; half < 2; half++)
-        for (int k = clip_cell_half(frame, run, i, half, corner) - 1; k >= 0; k--)
-            tp_box_widen(box, corner[k].u, corner[k].v);
-}
-
-tp_grid_box tp_frame_cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end)
-{
-    TP_ASSERT(end < frame->buffers.grid->cols && j + 1 < frame->buffers.grid->rows);
-    tp_grid *grid = frame->buffers.grid;
-    tp_grid_window *window = &grid->window;
-    tp_grid_box box = TP_BOX_NONE;
-    clipped_run run;
-
-    run.end = 0;
-    tp_grid_window_load(grid, window, j, first, end + 1);
-    tp_grid_window_load(grid, window, j + 1, first, end + 1);
-    for (uint32_t i = first; i < end; i++) {
-        if (needs_clipping(window, i, j)) {
-            extend_run(frame, window, i, end, j, &run);
-            widen_box_by_clipped_cell(frame, &box, &run, i);
-            continue;
-        }
-        for (uint32_t k = 0; k < 4; k++) {
-            const tp_grid_vertex *at = &window->line[(j + k / 2) & 1][i + k % 2];
-            tp_box_widen(&box, at->u, at->v);
-        }
-    }
-    return box;
-}
 
 /* Replaces the unbounded boxes of blocks with clipped vertices by tight boxes.  One more
  * clip of these cells pays if the picture has many tiles: each tile would clip them. */
 static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
 {
+    const struct tp_draw_cells *by = frame->program->draw.cells;
     const tp_grid *grid = frame->buffers.grid;
     tp_grid_span span = grid->span[j];
 
-    for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
-        tp_grid_span cells = block_span(span, b);
+    for (uint32_t b = span.first / TP_GRID_BLOCK; by && b * TP_GRID_BLOCK < span.end; b++) {
+        tp_grid_span cells = tp_grid_block_span(span, b);
         tp_grid_box *box = &grid->box[(size_t)j * grid->blocks + b];
         if (box->x0 == INT16_MIN)
-            *box = tp_frame_cells_box(frame, j, cells.first, cells.end);
+            *box = by->box(frame, j, cells.first, cells.end);
     }
 }
 
@@ -260,10 +57,12 @@ static void choose_weights(const tp_frame *frame, tp_grid *grid)
 void tp_frame_begin_grid(tp_frame *frame)
 {
     const struct tp_draw_fast_triangles *fast = frame->program->draw.fast_triangles;
+    const struct tp_draw_cells *cells = frame->program->draw.cells;
     tp_grid *grid = frame->buffers.grid;
 
     frame->draw_cell = fast && frame->scene->quality.triangles == TP_RUNG_FAST
-                           ? fast->draw_cell : tp_cell_water;
+                           ? fast->draw_cell
+                       : cells ? cells->draw_cell : NULL;
     choose_vertices(frame, grid);
     choose_weights(frame, grid);
     tp_grid_place_rows(grid, &frame->grid_view);
@@ -286,6 +85,7 @@ void tp_frame_place_grid_line(tp_frame *frame, uint32_t j)
 
 static void place_water(tp_frame *frame)
 {
+    frame->stats.dropped += !frame->program->draw.cells;
     tp_frame_begin_grid(frame);
     for (uint32_t j = 0; j < frame->buffers.grid->rows; j++)
         tp_frame_place_grid_line(frame, j);
@@ -298,27 +98,14 @@ tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory)
     return tp_grid_window_init((uint8_t *)memory + frame->buffers.renderer_bytes);
 }
 
-static void draw_blocks(const tp_frame *frame, const tp_gbuffer *tile,
-                        tp_grid_window *window, uint32_t j)
-{
-    const tp_grid *grid = frame->buffers.grid;
-    const tp_grid_box *box = grid->box + (size_t)j * grid->blocks;
-    tp_grid_span span = grid->span[j];
-
-    for (uint32_t b = span.first / TP_GRID_BLOCK; b * TP_GRID_BLOCK < span.end; b++) {
-        tp_grid_span cells = block_span(span, b);
-        if (cells.first < cells.end && tp_box_overlaps_tile(&box[b], tile))
-            tp_frame_draw_cells(frame, tile, window, j, cells.first, cells.end);
-    }
-}
-
 static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
+    const struct tp_draw_cells *by = frame->program->draw.cells;
     tp_grid_window window = tp_frame_grid_window(frame, memory);
 
     tile->front_only = frame->cull_water;
-    for (uint32_t j = 0; j + 1 < frame->buffers.grid->rows; j++)
-        draw_blocks(frame, tile, &window, j);
+    for (uint32_t j = 0; by && j + 1 < frame->buffers.grid->rows; j++)
+        by->draw_row(frame, tile, &window, j);
 }
 
 /* Returns the grid; `counted` stands in if the arena only counts bytes. */

@@ -41,7 +41,7 @@ typedef struct {
 
 static tp_dir3 rows_direction(const tp_frame *frame)
 {
-    return tp_fan_rows_direction(&frame->projection.turn, frame->grid_view.detail.walled);
+    return tp_fan_rows_direction(&frame->projection.turn, frame->grid_view.detail.walls);
 }
 
 /* Ray through a corner of the picture, 16.16; pixels lie below 2^12 from the centre, the
@@ -221,9 +221,10 @@ static void set_cells(tp_frame *frame)
 }
 
 /* True if a cell of row k needs clipping, because a corner cannot be projected, and the
- * cell overlaps the picture's columns. */
+ * cell overlaps the picture's columns; without the part that clips cells, any may. */
 static bool has_cell_to_clip(tp_frame *frame, uint32_t k)
 {
+    const struct tp_draw_cells *by = frame->program->draw.cells;
     const tp_grid_window *seen = &frame->buffers.grid->window;
     const tp_frame_line *line = &frame->buffers.lines->line[k];
     int32_t width = (int32_t)frame->config.width;
@@ -234,7 +235,9 @@ static bool has_cell_to_clip(tp_frame *frame, uint32_t k)
             && tp_line_vertex(seen, k + 1, m)->u != TP_GRID_NEEDS_CLIP
             && tp_line_vertex(seen, k + 1, m + 1)->u != TP_GRID_NEEDS_CLIP)
             continue;
-        tp_grid_box box = tp_frame_cells_box(frame, k, m, m + 1);
+        if (!by)
+            return true;
+        tp_grid_box box = by->box(frame, k, m, m + 1);
         if (box.x0 < width && box.x1 >= 0)
             return true;
     }
@@ -300,9 +303,24 @@ static int32_t wide_cell(const tp_frame *frame)
 {
     const tp_fan *fan = frame->buffers.grid->fan;
 
-    if (!fan->law.walled)
+    if (!fan->law.walls)
         return frame->surface.deep->count == 0 && fan->detail == 0 ? WIDE_TILTED : WIDE_CELL;
     return is_tilted(frame) ? WIDE_TILTED : WIDE_TANK;
+}
+
+/* Draws a row without its edges if the program lacks them; fast rows have their own. */
+static void drop_missing_edges(tp_frame *frame, const tp_gbuffer *picture, uint32_t k)
+{
+    const tp_draws *draw = &frame->program->draw;
+    const unsigned edges = (draw->row_sides ? 0 : TP_LINE_SIDED)
+                         | (draw->row_middles ? 0 : TP_LINE_WIDE);
+    tp_frame_line *line = &frame->buffers.lines->line[k];
+
+    if (frame->column_bits || !(line->is & edges))
+        return;
+    const tp_column_range seen = tp_line_columns(frame, picture, k);
+    line->is &= (uint16_t)~edges;
+    frame->stats.dropped += seen.x0 < seen.x1;
 }
 
 static void set_row(tp_frame *frame, uint32_t k)
@@ -316,12 +334,15 @@ static void set_row(tp_frame *frame, uint32_t k)
     set_box(frame, k);
     if (line->cells.first >= line->cells.end || !tp_box_overlaps_tile(&line->box, &picture))
         return;
-    if (has_cell_to_clip(frame, k))
+    if (has_cell_to_clip(frame, k)) {
         line->is |= TP_LINE_CUT;
+        frame->stats.dropped += !frame->program->draw.cells;
+    }
     if (has_line_end_on_screen(frame, k))
         line->is |= TP_LINE_SIDED;
     if (line->box.x1 - line->box.x0 > wide * (line->cells.end - line->cells.first))
         line->is |= TP_LINE_WIDE;
+    drop_missing_edges(frame, &picture, k);
 }
 
 /* Places all lines.  Rows of the grid are examined right after their placement, because a
@@ -331,6 +352,8 @@ void tp_lines_place(tp_frame *frame)
     const tp_frame_lines *lines = frame->buffers.lines;
 
     tp_frame_begin_grid(frame);
+    frame->stats.dropped +=
+        frame->buffers.grid->dry != NULL && !frame->program->draw.row_land;
     set_counts(frame);
     set_cells(frame);
     for (uint32_t k = 0; k < lines->lines; k++) {

@@ -53,6 +53,12 @@ static inline const tp_grid_vertex *tp_line_vertex(const tp_grid_window *window,
     return &window->line[k & 1][m];
 }
 
+/* The land of the grid's rows; NULL: none. */
+static inline const struct tp_draw_row_land *tp_line_land(const tp_frame *frame)
+{
+    return frame->buffers.grid->dry ? frame->program->draw.row_land : NULL;
+}
+
 /* True if the cell at point m of row k is dry. */
 static inline bool tp_line_cell_is_dry(const tp_frame *frame, uint32_t row,
                                        uint32_t point)
@@ -106,17 +112,12 @@ static inline bool tp_line_is_reached(tp_line_reach reach, tp_column_range colum
  * tp_line_columns: the tile's columns where row k does not lie below the tile.
  * tp_line_next_columns: the columns where line k matters for the tile; *columns are those
  * of row k, then those of row k - 1; *columns are empty before the first line.
- * tp_line_load: makes the window hold the part of line k in these columns, or all of it.
- * tp_line_is_land: true if segment m of line k has land on both sides.
- * tp_line_draw_triangles: draws row k of cells. */
+ * tp_line_load: makes the window hold the part of line k in these columns, or all of it. */
 tp_column_range tp_line_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k);
 tp_column_range tp_line_next_columns(const tp_frame *frame, const tp_gbuffer *tile,
                                      uint32_t k, tp_column_range *columns);
 void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
                   tp_column_range columns, bool whole);
-bool tp_line_is_land(const tp_frame *frame, uint32_t k, uint32_t m);
-void tp_line_draw_triangles(const tp_frame *frame, const tp_gbuffer *tile,
-                            tp_grid_window *window, uint32_t k);
 
 /* Lay out the lines' memory if rows can draw, and place the lines of a frame. */
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,

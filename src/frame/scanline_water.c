@@ -5,7 +5,7 @@
  * drawn as triangles. */
 #include "frame/scanline_grid.h"
 
-typedef struct {
+typedef struct tp_row_walk {
     const tp_frame *frame;
     tp_grid_window  window;
     tp_rows         rows;
@@ -44,20 +44,6 @@ tp_column_range tp_line_columns(const tp_frame *frame, const tp_gbuffer *tile, u
     return c;
 }
 
-void tp_line_draw_triangles(const tp_frame *frame, const tp_gbuffer *tile,
-                            tp_grid_window *window, uint32_t k)
-{
-    const tp_frame_line *line = &frame->buffers.lines->line[k];
-    const tp_grid_box *box = row_boxes(frame, k);
-
-    for (uint32_t b = line->cells.first / TP_GRID_BLOCK;
-         b * TP_GRID_BLOCK < line->cells.end; b++) {
-        tp_grid_span cells = tp_line_block_cells(line, b);
-        if (cells.first < cells.end && tp_box_overlaps_tile(&box[b], tile))
-            tp_frame_draw_cells(frame, tile, window, k, cells.first, cells.end);
-    }
-}
-
 static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
 {
     if (how == ON)
@@ -66,11 +52,13 @@ static void lay(walk *w, const tp_row_point *run, uint32_t count, int how)
         tp_rows_restart_line(&w->rows, run, count, how == JOIN);
 }
 
-bool tp_line_is_land(const tp_frame *frame, uint32_t k, uint32_t m)
+static bool is_land(const tp_frame *frame, uint32_t k, uint32_t m)
 {
     return frame->buffers.grid->dry && (k == 0 || tp_line_cell_is_dry(frame, k - 1, m))
            && (k + 1 == frame->buffers.lines->lines || tp_line_cell_is_dry(frame, k, m));
 }
+
+const struct tp_draw_row_land tp_draw_row_land = { is_land, tp_rows_mark_gap };
 
 static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
 {
@@ -82,7 +70,7 @@ static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
 static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
 {
     const tp_frame *frame = w->frame;
-    const bool land = frame->buffers.grid->dry != NULL;
+    const struct tp_draw_row_land *land = tp_line_land(frame);
     int32_t  left = tp_line_vertex(&w->window, k, part.first)->u;
     tp_row_point run[TP_GRID_BLOCK + 1];
     uint32_t count = 0;
@@ -91,8 +79,8 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
         int32_t from = left;
         left = tp_line_vertex(&w->window, k, m + 1)->u;
         bool out = is_outside_tile(w, from, left);
-        if (!out && land && tp_line_is_land(frame, k, m)) {
-            tp_rows_mark_gap(&w->rows, from, left);
+        if (!out && land && land->is_land(frame, k, m)) {
+            land->mark_gap(&w->rows, from, left);
             out = true;
         }
         if (out) {
@@ -229,7 +217,7 @@ static void lay_sided(walk *w, uint32_t k)
     if (right)
         tp_rows_restart_side(&w->rows, &was[1], &now[1]);
     if (w->frame->buffers.lines->line[k].is & TP_LINE_WIDE)
-        lay_middles(w, k);
+        w->frame->program->draw.row_middles->lay(w, k);
     if (left)
         lay_one(w, &was[0], &now[0]);
     lay_line(w, k, ON);
@@ -267,11 +255,11 @@ static void advance_to_line(walk *w, uint32_t k, int how)
         tp_line_load(w->frame, &w->window, k + 1, walked, true);
     tp_line_load(w->frame, &w->window, k, walked, whole);
     if (is & TP_LINE_SIDED) {
-        lay_sided(w, k);
+        w->frame->program->draw.row_sides->lay(w, k);
         return;
     }
     if (is & TP_LINE_WIDE)
-        lay_middles(w, k);
+        w->frame->program->draw.row_middles->lay(w, k);
     lay_line(w, k, how);
 }
 
@@ -291,7 +279,8 @@ static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
         if (next->cells.first >= next->cells.end) {
             how = GAP;
         } else if (next->is & TP_LINE_CUT) {
-            tp_line_draw_triangles(frame, tile, &w.window, k - 1);
+            if (frame->program->draw.cells)
+                frame->program->draw.cells->draw_row(frame, tile, &w.window, k - 1);
             w.rows.solid = true;
             how = JOIN;
         } else {
@@ -299,6 +288,10 @@ static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
         }
     }
 }
+
+const struct tp_draw_row_sides tp_draw_row_sides = { lay_sided };
+
+const struct tp_draw_row_middles tp_draw_row_middles = { lay_middles };
 
 const struct tp_water_renderer tp_method_rows = {
     .holds = tp_frame_can_draw_rows, .layout = tp_lines_layout,

@@ -283,7 +283,7 @@ static tp_row_point project_displaced_line_point(const screen_line *l, int32_t x
         .t = at[1],
     };
     if (tp_surface_has_swells(&frame->surface)) {
-        tp_surface_point from = frame->surface.by->swells->point(&frame->surface, at, step);
+        tp_surface_point from = frame->surface.by->points->point(&frame->surface, at, step);
         p.n = tp_level_pack_slopes(&from);
         if (from.position.x != at[0] || from.position.y != 0 || from.position.z != at[1])
             project(frame, &from, &p);

@@ -238,7 +238,8 @@ static void fill_sky_shaders(tp_frame *frame)
     tp_shaders_clear(sky);
     tp_frame_add_stages(frame, sky);
     if (!tp_shaders_has(sky, TP_AT_COLOUR))
-        tp_shaders_add_colour(sky, select_gradient_stage(frame));
+        tp_shaders_add_colour(sky, tp_shaders_pick(sky, select_gradient_stage(frame),
+                                                   frame->program->stage.plain));
     if (named && frame->shade.env.kind == TP_ENV_GRADIENT)
         sky->lacks++;
 }

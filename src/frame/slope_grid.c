@@ -39,6 +39,7 @@ bool tp_frame_can_use_level_plane(const tp_frame *frame)
 
     return frame->buffers.level && !surface->coastal
            && !tp_surface_has_rings_or_pools(surface) && !tp_has_tank(frame->scene)
+           && (surface->by->points || !tp_surface_has_swells(surface))
            && frame->projection.eye.y
                   >= tp_surface_height_bound(surface) + TP_LEVEL_HEIGHT;
 }
@@ -102,7 +103,7 @@ static uint32_t sample_slopes(const tp_frame *frame, const row_of_points *row, i
 
     sample_rest(level, row, x, y, at, step);
     tp_surface_point point =
-        frame->surface.by->swells->point(&frame->surface, at, step);
+        frame->surface.by->points->point(&frame->surface, at, step);
     return tp_level_pack_slopes(&point);
 }
 

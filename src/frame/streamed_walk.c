@@ -101,4 +101,5 @@ static bool draw_streamed_alone(const tp_frame *frame, const tp_gbuffer *tile, v
 const struct tp_water_renderer tp_method_streamed_walk = {
     .layout = layout_streamed, .holds = tp_walk_can_draw, .place = tp_walk_place,
     .draw = draw_streamed, .draw_alone = draw_streamed_alone,
+    .level_keys = tp_frame_shade_level_run,
 };

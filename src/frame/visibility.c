@@ -130,8 +130,9 @@ void tp_frame_choose_visibility(tp_frame *frame)
     if (!method || (method->holds && !method->holds(frame)))
         frame->visibility = TP_VISIBILITY_TRIANGLES;
     frame->column_bits = fast_column_bits(frame);
-    frame->level_keys =
-        frame->column_bits && !tp_frame_has_module(frame, TP_MODULE_MIRROR);
+    frame->level_keys = NULL;
+    if (frame->column_bits && !tp_frame_has_module(frame, TP_MODULE_MIRROR))
+        frame->level_keys = chosen_renderer(frame)->level_keys;
     if (frame->buffers.filtered && is_level(frame->visibility))
         tp_filtered_waves_clear(frame->buffers.filtered);
 }
@@ -144,6 +145,8 @@ void tp_frame_place_surface(tp_frame *frame)
     TP_ASSERT(frame->visibility != TP_VISIBILITY_AUTO);
     if (method)
         method->place(frame);
+    else
+        frame->stats.dropped++;
 }
 
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory)

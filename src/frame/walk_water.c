@@ -89,6 +89,7 @@ bool tp_walk_can_draw(tp_frame *frame)
 
     if (!walk || surface->coastal || tp_surface_has_rings_or_pools(surface)
         || tp_has_tank(frame->scene)
+        || (tp_surface_has_swells(surface) && !surface->by->points)
         || frame->projection.eye.y < tp_surface_height_bound(surface) + TP_LEVEL_HEIGHT)
         return false;
     tp_level_begin(&walk->level, &frame->projection);
@@ -127,7 +128,7 @@ static tp_even_point make_point(const tp_frame *frame, const tp_walk_placed_line
         step[0][axis] = tp_fx_saturate(line->step[axis] * (TP_WALK_CELL * 3 / 4));
         step[1][axis] = tp_fx_saturate((there - here) * 3 >> 2);
     }
-    const tp_surface_point p = frame->surface.by->swells->point(&frame->surface, place, step);
+    const tp_surface_point p = frame->surface.by->points->point(&frame->surface, place, step);
     tp_projection_view_vertex(&frame->projection, p.position, &view);
     if (!tp_projection_can_project(&frame->projection, &view))
         return (tp_even_point){ flat, tp_level_pack_slopes(&p) };
@@ -299,4 +300,5 @@ static bool draw_walk_alone(const tp_frame *frame, const tp_gbuffer *tile, void 
 const struct tp_water_renderer tp_method_walk = {
     .layout = layout_walk, .holds = tp_walk_can_draw, .place = tp_walk_place,
     .draw = draw_walk, .draw_alone = draw_walk_alone,
+    .level_keys = tp_frame_shade_level_run,
 };

@@ -93,10 +93,9 @@ static inline void tp_rgb565_tone_map_set(tp_rgb565_tone_map *tone_map, uint32_t
     tone_map->six[i] = (uint8_t)(pixel >> 5 & 63);
 }
 
-/* Store pixels from the address `to` on; rgb565 pixels at an even address. */
-void tp_store_rgb565_tone_mapped(const tp_rgb565_tone_map *tone_map, void *to,
-                                 const uint32_t *colours, int count);
-void tp_store_rgb565be_tone_mapped(const tp_rgb565_tone_map *tone_map, void *to,
-                                   const uint32_t *colours, int count);
+/* Stores pixels from the address `to` on; rgb565 pixels at an even address. */
+typedef void tp_tone_mapped_store(const tp_rgb565_tone_map *tone_map, void *to,
+                                  const uint32_t *colours, int count);
+tp_tone_mapped_store tp_store_rgb565_tone_mapped, tp_store_rgb565be_tone_mapped;
 
 #endif

@@ -90,7 +90,7 @@ static cost_callbacks collect_cost_callbacks(const tp_plan_input *in,
     cost_callbacks callbacks = { .count = 0 };
 
     for (const tp_use *u = in->modules; u && u->module; u++)
-        if (tp_module_ask_enabled(u->module, &conditions) && u->drawing && u->cost
+        if (tp_module_ask_condition(u->module, &conditions) && u->drawing && u->cost
             && callbacks.count < COSTED)
             callbacks.cost[callbacks.count++] = u->cost;
     return callbacks;

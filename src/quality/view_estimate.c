@@ -220,7 +220,7 @@ static void record_drawn_modules(tp_view_estimate *o, const tp_use *modules,
                                  tp_module_conditions conditions)
 {
     for (const tp_use *u = modules; u && u->module; u++) {
-        if (!u->drawing || !tp_module_ask_enabled(u->module, &conditions))
+        if (!u->drawing || !tp_module_ask_condition(u->module, &conditions))
             continue;
         o->trait[u->module->trait] = 1;
         if (u->module->count)

@@ -80,8 +80,8 @@ static void place_rows(tp_grid *grid, const tp_grid_view *view, const tp_fan_vie
     tp_plane planes[TP_PROJECTION_PLANES];
 
     fan->detail = numbers->detail;
-    fan->end_column = numbers->walled ? fan->law.cols - 1 : UINT32_MAX;
-    fan->end = numbers->walled ? tp_fan_tank_end(&fan->law, numbers) : 0;
+    fan->end_column = numbers->walls ? fan->law.cols - 1 : UINT32_MAX;
+    fan->end = numbers->walls ? fan->law.walls->end(&fan->law, numbers) : 0;
     grid->cols = fan->law.cols;
     grid->rows = fan->law.rows;
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;

@@ -38,6 +38,9 @@
 #include "view/grid.h"
 #include "view/rough.h"
 
+struct tp_fan_wave;
+struct tp_fan_waves;
+
 /* A row of vertices: the rest position of column i is (x + i step_x, z + i step_z). */
 typedef struct tp_fan_row {
     tp_fx x, z, step_x, step_z;
@@ -45,7 +48,7 @@ typedef struct tp_fan_row {
 } tp_fan_row;
 
 /* The numbers of a view and its water that determine the rows. */
-typedef struct {
+typedef struct tp_fan_view {
     const tp_projection *projection;
     uint32_t width, height;     /* of the picture, px */
     tp_fx    half_longest;      /* half the longest wave, m; 0: no waves */
@@ -55,7 +58,7 @@ typedef struct {
     tp_fx    detail;            /* length of the rings' and pools' waves, m; 0: none */
     int64_t  detail_end;        /* largest distance of them along the heading, 16.16 m; 0
                                  * without them */
-    bool     walled;            /* the water ends at `sides` */
+    const struct tp_fan_walls *walls;   /* the water ends at `sides`; NULL: it does not */
     tp_rectangle sides;
 } tp_fan_view;
 
@@ -71,8 +74,15 @@ typedef struct {
     int32_t  length;            /* of all rows */
     int32_t  tail;              /* beyond r* the spacing grows as r^(1 + tail) */
     uint32_t rows, cols;
-    bool     walled;            /* rows of a tank */
+    const struct tp_fan_walls *walls;   /* rows of a tank; NULL: others */
 } tp_fan_law;
+
+/* The rows of water that ends at walls, fan_tank.c. */
+struct tp_fan_walls {
+    tp_fan_law (*law)(const tp_fan_view *view, uint32_t vertices);
+    tp_fan_row (*row)(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
+    tp_fx (*end)(const tp_fan_law *law, const tp_fan_view *view);
+};
 
 #define TP_FAN_KEY 27           /* numbers that determine a law */
 
@@ -124,6 +134,9 @@ static inline void tp_fan_widen_land(tp_fan_view *view, tp_fx depth)
     const tp_fx height = depth > TP_FX_MIN ? -depth : TP_FX_MAX;
     view->land = height > view->land ? height : view->land;
 }
+
+/* Raises the land of a view to the floor of coastal water at these places. */
+void tp_fan_widen_to_floor(tp_fan_view *view, const tp_surface *surface);
 
 /* Returns the numbers of a grid's view. */
 tp_fan_view tp_fan_view_make(const tp_grid_view *view);
@@ -194,6 +207,12 @@ static inline tp_fx tp_fan_slope_weight(const tp_swell *w, tp_fx weight)
                                                                  : tp_abs(w->slope_z);
     return most * weight >> 16 < INT32_MAX ? weight : (tp_fx)(((int64_t)INT32_MAX << 16) / most);
 }
+
+/* fan_vertices.c: waves in a wind, for tp_water_coastal. */
+void tp_fan_set_wind(struct tp_fan_wave *wave, const tp_coastal_water *coastal, tp_fx share,
+                     uint32_t i);
+tp_surface_point tp_fan_wind_point(const struct tp_fan_waves *waves, uint32_t i, tp_fx x,
+                                   tp_fx z);
 
 /* Returns the spacing of a row in wavelengths of deep water. */
 tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,

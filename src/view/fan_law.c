@@ -266,8 +266,8 @@ static int64_t place_row(const tp_fan_law *law, const tp_fan_view *view, uint32_
  * higher waves, so that the row still begins below the picture. */
 tp_fan_law tp_fan_law_solve(const tp_fan_view *view, uint32_t vertices)
 {
-    if (view->walled)
-        return tp_fan_tank_law(view, vertices);
+    if (view->walls)
+        return view->walls->law(view, vertices);
     tp_fan_law law;
     tp_fx distance, along, gain;
 
@@ -291,7 +291,7 @@ TP_NEVER_INLINE bool update_key(int32_t key[TP_FAN_KEY], const tp_fan_view *view
         (int32_t)view->width, (int32_t)view->height, (int32_t)vertices,
         view->half_longest, view->shortest, view->high, view->aside, view->land,
         view->detail, (int32_t)(view->detail_end >> 32),
-        (int32_t)(uint32_t)view->detail_end, view->walled,
+        (int32_t)(uint32_t)view->detail_end, view->walls != NULL,
         sides->x0, sides->x1, sides->z0, sides->z1, p->eye.y, p->focal,
         turn->x.x, turn->x.y, turn->x.z, turn->y.x, turn->y.y, turn->y.z,
         turn->z.x, turn->z.y, turn->z.z,
@@ -316,8 +316,8 @@ bool tp_fan_law_update(tp_fan_law *law, int32_t made_for[TP_FAN_KEY],
 tp_fan_row tp_fan_law_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n)
 {
     TP_ASSERT(n < law->rows && law->cols > 1);
-    if (law->walled)
-        return tp_fan_tank_row(law, view, n);
+    if (law->walls)
+        return law->walls->row(law, view, n);
     const tp_vec3 eye = view->projection->eye;
     const int32_t gaps = (int32_t)law->cols - 1;
     tp_fan_row row;

@@ -23,12 +23,12 @@ static uint32_t side_vertices(int64_t side, int64_t other, uint32_t vertices)
     return (uint32_t)(count < 2 ? 2 : count < most ? count : most);
 }
 
-tp_fan_law tp_fan_tank_law(const tp_fan_view *view, uint32_t vertices)
+static tp_fan_law tank_law(const tp_fan_view *view, uint32_t vertices)
 {
     const tp_rectangle *r = &view->sides;
     const int64_t wide = (int64_t)r->x1 - r->x0, deep = (int64_t)r->z1 - r->z0;
     tp_fan_law law = { .right = tp_fan_rows_direction(&view->projection->turn, true),
-                       .height = TP_FX_ONE, .waves_end = TP_FX_MAX, .walled = true };
+                       .height = TP_FX_ONE, .waves_end = TP_FX_MAX, .walls = &tp_fan_tank };
     const bool along_x = law.right.x != 0;
     const uint32_t x = side_vertices(wide, deep, vertices);
     const uint32_t z = side_vertices(deep, wide, vertices);
@@ -44,7 +44,7 @@ static tp_fx end_by_sign(tp_fx low, tp_fx high, tp_q30 sign)
     return sign > 0 ? high : low;
 }
 
-tp_fx tp_fan_tank_end(const tp_fan_law *law, const tp_fan_view *view)
+static tp_fx tank_end(const tp_fan_law *law, const tp_fan_view *view)
 {
     const tp_rectangle *r = &view->sides;
 
@@ -52,7 +52,7 @@ tp_fx tp_fan_tank_end(const tp_fan_law *law, const tp_fan_view *view)
                              : end_by_sign(r->z0, r->z1, law->right.z);
 }
 
-tp_fan_row tp_fan_tank_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n)
+static tp_fan_row tank_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n)
 {
     TP_ASSERT(n < law->rows && law->cols > 1 && law->rows > 1);
     const tp_rectangle *r = &view->sides;
@@ -76,3 +76,5 @@ tp_fan_row tp_fan_tank_row(const tp_fan_law *law, const tp_fan_view *view, uint3
     }
     return row;
 }
+
+const struct tp_fan_walls tp_fan_tank = { tank_law, tank_row, tank_end };

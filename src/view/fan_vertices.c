@@ -9,7 +9,7 @@
 
 /* A wave of a row: phase of column 0 and step of the phase; numbers of the swell by the
  * row's weight, without wind. */
-typedef struct {
+typedef struct tp_fan_wave {
     const tp_swell *swell;
     tp_turn first, step;
     tp_fx   weight;             /* with gain */
@@ -19,17 +19,17 @@ typedef struct {
     tp_fx   along;              /* weight of the horizontal motion in a wind */
 } row_wave;
 
-typedef struct {
+typedef struct tp_fan_waves {
     const tp_fan *fan;
     const tp_fan_row *row;
     const tp_surface *surface;
+    const struct tp_fan_relief *relief; /* NULL: neither rings nor pools */
     tp_fx     detail;           /* weight of rings and pools; 0: none */
     uint32_t  count;
     row_wave  wave[TP_WAVES];
 } row_waves;
 
-static void set_wind(row_wave *to, const tp_coastal_water *coastal, tp_fx share,
-                     uint32_t i)
+void tp_fan_set_wind(row_wave *to, const tp_coastal_water *coastal, tp_fx share, uint32_t i)
 {
     const tp_fx up = tp_coastal_tables(coastal)[i].depth[TP_COASTAL_DEPTHS - 1].up;
 
@@ -65,8 +65,10 @@ static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to
     to->fan = grid->fan;
     to->row = row;
     to->surface = surface;
-    to->detail = tp_surface_has_rings_or_pools(surface)
-                     ? tp_fan_row_detail_weight(grid->fan, row) : 0;
+    to->relief = !tp_surface_has_rings_or_pools(surface) ? NULL
+               : surface->by->rings ? surface->by->rings->relief
+                                    : surface->by->pools->relief;
+    to->detail = to->relief ? to->relief->weight(grid->fan, row) : 0;
     to->count = 0;
     for (uint32_t i = 0; i < deep->count && surface->by->swells; i++) {
         const tp_swell *w = &deep->swell[i];
@@ -80,7 +82,7 @@ static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to
         at->step = tp_swell_turns(w->turns_x, row->step_x)
                    + tp_swell_turns(w->turns_z, row->step_z);
         if (surface->coastal)
-            set_wind(at, surface->coastal, grid->fan->wind[i], i);
+            surface->by->coastal->set_wind(at, surface->coastal, grid->fan->wind[i], i);
         else
             set_numbers(at);
         to->count++;
@@ -149,8 +151,8 @@ static bool is_unfolded(const tp_swell_sum *sum)
     return xx > 0 && (xx * zz - xz * xz) >> 28 > one / 16;
 }
 
-/* Returns the point of waves in a wind; their rate may fold the Jacobian. */
-static tp_surface_point wind_point(const tp_swell_sum *sum, tp_fx x, tp_fx z)
+/* Returns the point of a sum of waves in a wind; their rate may fold the Jacobian. */
+static tp_surface_point point_of_wind_sum(const tp_swell_sum *sum, tp_fx x, tp_fx z)
 {
     if (is_unfolded(sum))
         return tp_swell_sum_point(sum, x, z, TP_FX_ONE);
@@ -167,28 +169,39 @@ static tp_surface_point wind_point(const tp_swell_sum *sum, tp_fx x, tp_fx z)
     return at;
 }
 
-static tp_surface_point sample(const row_waves *waves, uint32_t i)
+tp_surface_point tp_fan_wind_point(const row_waves *waves, uint32_t i, tp_fx x, tp_fx z)
 {
-    const tp_fan_row *row = waves->row;
-    const tp_fx x = tp_fan_x(waves->fan, row, i), z = tp_fan_z(waves->fan, row, i);
-    const bool wind = waves->surface->coastal != NULL;
-    tp_surface_point at = { .position = { x, 0, z } };
+    tp_swell_sum sum = { 0 };
+
+    for (uint32_t k = 0; k < waves->count; k++)
+        add_wind_wave(&sum, &waves->wave[k],
+                      waves->wave[k].first + i * waves->wave[k].step);
+    return point_of_wind_sum(&sum, x, z);
+}
+
+static tp_surface_point still_point(const row_waves *waves, uint32_t i, tp_fx x, tp_fx z)
+{
     tp_swell_sum sum;
 
     sum.x = sum.y = sum.z = sum.hx = sum.hz = sum.bxx = sum.bxz = sum.bzz = 0;
-    for (uint32_t k = 0; k < waves->count; k++) {
-        const row_wave *w = &waves->wave[k];
-        const tp_turn phase = w->first + i * w->step;
-        if (wind)
-            add_wind_wave(&sum, w, phase);
-        else
-            add_wave(&sum, w, phase);
-    }
+    for (uint32_t k = 0; k < waves->count; k++)
+        add_wave(&sum, &waves->wave[k], waves->wave[k].first + i * waves->wave[k].step);
+    return tp_swell_sum_point(&sum, x, z, TP_FX_ONE);
+}
+
+static tp_surface_point sample(const row_waves *waves, uint32_t i)
+{
+    const tp_fan_row *row = waves->row;
+    const tp_surface *surface = waves->surface;
+    const tp_fx x = tp_fan_x(waves->fan, row, i), z = tp_fan_z(waves->fan, row, i);
+    tp_surface_point at = { .position = { x, 0, z } };
+
     if (waves->count > 0)
-        at = wind ? wind_point(&sum, x, z) : tp_swell_sum_point(&sum, x, z, TP_FX_ONE);
+        at = surface->coastal ? surface->by->coastal->wind_point(waves, i, x, z)
+                              : still_point(waves, i, x, z);
     if (waves->detail != 0) {
-        const tp_height_slope more = tp_rings_pools_sample_faded(
-            waves->surface, at.position.x, at.position.z, waves->detail);
+        const tp_height_slope more = waves->relief->sample(
+            surface, at.position.x, at.position.z, waves->detail);
         at.position.y += more.height;
         at.slope_x += more.slope_x;
         at.slope_z += more.slope_z;

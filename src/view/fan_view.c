@@ -48,15 +48,10 @@ tp_fan_view tp_fan_view_make(const tp_grid_view *view)
     measure_waves(&to, surface->deep);
     to.detail = view->detail.length;
     to.detail_end = to.detail > 0 ? farthest_detail(view) : 0;
-    to.walled = view->detail.walled;
+    to.walls = view->detail.walls;
     to.sides = view->detail.sides;
-    if (surface->coastal) {
-        tp_vec3 place[TP_FAN_LAND_PLACES];
-        tp_fan_land_places(&to, place);
-        for (int k = 0; k < TP_FAN_LAND_PLACES; k++)
-            tp_fan_widen_land(&to, surface->by->coastal->floor(surface->coastal, place[k].x,
-                                                               place[k].z).depth);
-    }
+    if (surface->coastal)
+        surface->by->coastal->widen_land(&to, surface);
     return to;
 }
 
@@ -148,6 +143,16 @@ void tp_fan_land_places(const tp_fan_view *view, tp_vec3 place[TP_FAN_LAND_PLACE
         place[k].x = tp_fx_saturate(p->eye.x + r.east * p->eye.y / down);
         place[k].z = tp_fx_saturate(p->eye.z + r.south * p->eye.y / down);
     }
+}
+
+void tp_fan_widen_to_floor(tp_fan_view *view, const tp_surface *surface)
+{
+    tp_vec3 place[TP_FAN_LAND_PLACES];
+
+    tp_fan_land_places(view, place);
+    for (int k = 0; k < TP_FAN_LAND_PLACES; k++)
+        tp_fan_widen_land(view, surface->by->coastal->floor(surface->coastal, place[k].x,
+                                                            place[k].z).depth);
 }
 
 /* -- the water in view --------------------------------------------------------------- */

@@ -94,6 +94,16 @@ struct tp_draw_large_waves {
 void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
                     bool streams);
 
+/* Returns the cells of block b of a row, without cells out of view. */
+static inline tp_grid_span tp_grid_block_span(tp_grid_span span, uint32_t b)
+{
+    uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
+
+    first = first > span.first ? first : span.first;
+    end = end < span.end ? end : span.end;
+    return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
+}
+
 /* Allocates the additional tables of coastal water for a number of vertices. */
 void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices);
 
@@ -107,8 +117,11 @@ typedef struct {
 typedef struct {
     tp_fx length;               /* of the shortest waves to hold, m; 0: neither */
     tp_rectangle sides;         /* around all of them */
-    bool  walled;               /* the water ends at these sides */
+    const struct tp_fan_walls *walls;   /* the water ends at these sides; NULL: it does
+                                         * not */
 } tp_water_detail;
+
+extern const struct tp_fan_walls tp_fan_tank;
 
 /* Adds waves of a length in a rectangle. */
 void tp_grid_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by);

@@ -172,8 +172,8 @@ tp_surface_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z,
         rest = from;
     if (surface->coastal)
         at = surface->by->coastal->above(surface, x, z, rest);
-    else if (surface->by->swells)
-        at = surface->by->swells->above(surface->deep, surface->phases, x, z, rest);
+    else if (surface->by->swells && surface->by->samples)
+        at = surface->by->samples->above(surface->deep, surface->phases, x, z, rest);
     if (tp_surface_has_rings_or_pools(surface)) {
         tp_height_slope relief = tp_rings_pools_sample(surface, x, z);
         at.position.y += relief.height;

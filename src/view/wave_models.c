@@ -166,18 +166,25 @@ static tp_view_vertex coastal_grid_make_view_vertex(const tp_grid *grid, uint32_
 
 /* -- the structs --------------------------------------------------------------------- */
 
-const struct tp_water_rings tp_water_rings = { tp_ring_height_slope, tp_ring_evaluate };
+static const struct tp_fan_relief relief = {
+    tp_fan_row_detail_weight, tp_rings_pools_sample_faded,
+};
 
-const struct tp_water_pools tp_water_pools = { tp_pool_height_slope, tp_pool_height_bound };
+const struct tp_water_rings tp_water_rings = { tp_ring_height_slope, tp_ring_evaluate,
+                                               &relief };
 
-#define SWELLS(init_by) \
-    .init = init_by, .above = tp_deep_water_sample, .point = tp_level_sample_surface
+const struct tp_water_pools tp_water_pools = { tp_pool_height_slope, tp_pool_height_bound,
+                                               &relief };
 
-const struct tp_water_swells tp_water_swells = { SWELLS(tp_deep_water_init) };
+const struct tp_water_swells tp_water_swells = { .init = tp_deep_water_init };
 
 const struct tp_water_swells tp_water_few_swells = {
-    SWELLS(tp_deep_water_init_compact), .few = true,
+    .init = tp_deep_water_init_compact, .few = true,
 };
+
+const struct tp_water_samples tp_water_samples = { tp_deep_water_sample };
+
+const struct tp_water_points tp_water_points = { tp_level_sample_surface };
 
 const struct tp_water_coastal tp_water_coastal = {
     .max_displacement = tp_coastal_max_displacement,
@@ -188,4 +195,7 @@ const struct tp_water_coastal tp_water_coastal = {
     .layout = tp_grid_layout_coastal,
     .row = coastal_grid_evaluate_row,
     .corner = coastal_grid_make_view_vertex,
+    .set_wind = tp_fan_set_wind,
+    .wind_point = tp_fan_wind_point,
+    .widen_land = tp_fan_widen_to_floor,
 };

@@ -105,27 +105,49 @@ static inline uint32_t tp_level_pack_slopes(const tp_surface_point *at)
 
 /* -- wave models --------------------------------------------------------------------- */
 
+struct tp_fan;
+struct tp_fan_row;
+
+/* Rings and pools at the vertices of a row: their weight, and their sum. */
+struct tp_fan_relief {
+    tp_fx (*weight)(const struct tp_fan *fan, const struct tp_fan_row *row);
+    tp_height_slope (*sample)(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx weight);
+};
+
 struct tp_water_rings {
     tp_height_slope (*height_slope)(const tp_ring_now *rings, uint32_t count, tp_fx x,
                                     tp_fx z);
     bool (*at)(const tp_ring *ring, int64_t time, tp_ring_now *now);
+    const struct tp_fan_relief *relief;
 };
 
 struct tp_water_pools {
     tp_height_slope (*height_slope)(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
     tp_fx (*highest)(const tp_pool *pool);
+    const struct tp_fan_relief *relief;
 };
 
 struct tp_water_swells {
     void (*init)(tp_deep_water *deep, const tp_wave *waves, uint32_t count,
                  tp_fx gravity);
-    tp_surface_point (*above)(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
-                              tp_fx x, tp_fx z, tp_fx rest[2]);
-    /* Returns a point of a screen grid over level water. */
-    tp_surface_point (*point)(const tp_surface *surface, const tp_fx place[2],
-                              tp_fx step[2][2]);
     bool few;                   /* true: memory for the scene's own swells only */
 };
+
+/* The swells above a position; without them water samples are level. */
+struct tp_water_samples {
+    tp_surface_point (*above)(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
+                              tp_fx x, tp_fx z, tp_fx rest[2]);
+};
+
+/* The points of a screen grid over level water. */
+struct tp_water_points {
+    tp_surface_point (*point)(const tp_surface *surface, const tp_fx place[2],
+                              tp_fx step[2][2]);
+};
+
+struct tp_fan_wave;
+struct tp_fan_waves;
+struct tp_fan_view;
 
 struct tp_water_coastal {
     tp_fx (*max_displacement)(const tp_coastal_water *coastal);
@@ -137,6 +159,13 @@ struct tp_water_coastal {
     void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices);
     void (*row)(tp_grid *grid, uint32_t j, tp_grid_span needed);
     tp_view_vertex (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
+    /* Waves in a wind at the vertices of rows, fan_vertices.c. */
+    void (*set_wind)(struct tp_fan_wave *wave, const tp_coastal_water *coastal, tp_fx share,
+                     uint32_t i);
+    tp_surface_point (*wind_point)(const struct tp_fan_waves *waves, uint32_t i, tp_fx x,
+                                   tp_fx z);
+    /* Raises the land of a view to the floor in sight, fan_view.c. */
+    void (*widen_land)(struct tp_fan_view *view, const tp_surface *surface);
 };
 
 #endif

@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include "base/base.h"
 #include "fixed/arithmetic.h"
+#include "world/module.h"
 #include "world/world.h"
 
 /* -- the clock ----------------------------------------------------------------------- */
@@ -129,19 +130,32 @@ static tp_camera deck_to_world_camera(const tp_camera *deck, const tp_pose *boat
     };
 }
 
-tp_camera tp_camera_interpolate(const tp_world *world, tp_fx lag)
+/* Returns the camera in its own axes: the world's, or those of the deck. */
+static tp_camera own_camera(const tp_world *world, tp_fx lag)
 {
     TP_ASSERT(lag >= 0 && lag <= TP_FX_ONE);
     const tp_turn heading = interpolate_turn(world->last_heading, world->heading, lag);
     const tp_turn pitch = interpolate_turn(world->last_pitch, world->pitch, lag);
     const tp_turn roll = interpolate_turn(world->last_roll, world->roll, lag);
-    const tp_camera camera = { tp_position_interpolate(world->last_eye, world->eye, lag),
-                               tp_rotation_from_angles(heading, pitch, roll) };
 
-    if (world->aboard != TP_ABOARD_DECK)
-        return camera;
+    return (tp_camera){ tp_position_interpolate(world->last_eye, world->eye, lag),
+                        tp_rotation_from_angles(heading, pitch, roll) };
+}
+
+void tp_camera_carry(const tp_world *world, tp_fx lag, tp_camera *camera)
+{
     const tp_pose boat = interpolate_pose(&world->last_boat, &world->boat, lag);
-    return deck_to_world_camera(&camera, &boat);
+
+    if (world->aboard == TP_ABOARD_DECK)
+        *camera = deck_to_world_camera(camera, &boat);
+}
+
+tp_camera tp_camera_interpolate(const tp_world *world, tp_fx lag)
+{
+    tp_camera camera = own_camera(world, lag);
+
+    tp_camera_carry(world, lag, &camera);
+    return camera;
 }
 
 tp_camera tp_world_camera(const tp_world *world)
@@ -149,11 +163,11 @@ tp_camera tp_world_camera(const tp_world *world)
     return tp_camera_interpolate(world, world->lag);
 }
 
-tp_drawn tp_world_interpolate(const tp_world *world)
+static tp_drawn interpolate(const tp_world *world, const tp_camera *camera)
 {
     tp_fx    lag = world->lag;
     tp_drawn at = {
-        .camera = tp_world_camera(world),
+        .camera = *camera,
         .boat = interpolate_pose(&world->last_boat, &world->boat, lag),
         .light_heading = interpolate_turn(world->last_light_heading, world->light_heading,
                                       lag),
@@ -165,4 +179,20 @@ tp_drawn tp_world_interpolate(const tp_world *world)
 
     tp_deep_water_phases(&world->deep, world->tick, lag, at.phases);
     return at;
+}
+
+tp_drawn tp_world_interpolate(const tp_world *world)
+{
+    const tp_camera camera = tp_world_camera(world);
+    return interpolate(world, &camera);
+}
+
+tp_drawn tp_program_interpolate(const tp_program *program, const tp_world *world)
+{
+    tp_camera camera = own_camera(world, world->lag);
+
+    for (const tp_use *u = program->modules; u && u->module; u++)
+        if (u->module->carry)
+            u->module->carry(world, world->lag, &camera);
+    return interpolate(world, &camera);
 }

@@ -25,7 +25,7 @@ static uint32_t next_chunk_offset(const tp_world *world, uint32_t at)
 static bool ask_enabled_and_has_state(const tp_module *module,
                                       tp_module_conditions *conditions)
 {
-    return tp_module_ask_enabled(module, conditions) && module->bytes;
+    return tp_module_ask_condition(module, conditions) && module->bytes;
 }
 
 static size_t state_bytes(const tp_module *module, const tp_module_conditions *conditions)
@@ -82,7 +82,7 @@ tp_status tp_lacks_check(const tp_program *program, const tp_scene *scene,
 
     for (const tp_lack *l = program->lacks; l && l->enabled; l++) {
         for (; above < l->above && u && u->module; above++)
-            tp_module_ask_enabled(u++->module, &conditions);
+            tp_module_ask_condition(u++->module, &conditions);
         if (l->enabled(&conditions))
             return tp_program_fail_lacking(l->name, err);
     }
@@ -109,7 +109,7 @@ tp_status tp_modules_check_and_measure(const tp_program *program, tp_arena *aren
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
         const tp_module *m = u->module;
-        if (!tp_module_ask_enabled(m, &conditions))
+        if (!tp_module_ask_condition(m, &conditions))
             continue;
         if (m->check && (status = m->check(&conditions, err)) != TP_OK)
             return status;

@@ -184,6 +184,9 @@ typedef struct tp_module {
      * the water. */
     bool (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
 
+    /* Moves the camera with the module's body, `lag` before the tick. */
+    void (*carry)(const tp_world *world, tp_fx lag, tp_camera *camera);
+
     /* True if a state from outside the program can be stepped and drawn.  `fresh` is a
      * state of the same scene and length as `init` leaves a state.  The head of `world`
      * is already checked. */
@@ -192,7 +195,7 @@ typedef struct tp_module {
 
 /* True if the module is on. Then adds its bits to conditions->above for the later
  * modules. */
-static inline bool tp_module_ask_enabled(const tp_module *module,
+static inline bool tp_module_ask_condition(const tp_module *module,
                                          tp_module_conditions *conditions)
 {
     const bool on = module->enabled(conditions);

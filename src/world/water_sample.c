@@ -12,6 +12,19 @@
 #include "world/pools.h"
 #include "world/world.h"
 
+/* Returns the water for an application, which may ask about positions even if the program's
+ * pictures do not; *models becomes the program's models with samples. */
+static tp_surface application_surface(const tp_program *program, const tp_world *world,
+                                      tp_wave_models *models)
+{
+    tp_surface surface = tp_world_surface(program, world);
+
+    *models = *surface.by;
+    models->samples = &tp_water_samples;
+    surface.by = models;
+    return surface;
+}
+
 /* -- sampling ------------------------------------------------------------------------ */
 
 /* Returns the height of all rings at `time`. */
@@ -62,7 +75,8 @@ tp_water tp_world_sample(const tp_program *program, const tp_world *world, tp_fx
     TP_ASSERT(world != NULL && world->layout.bytes > 0);
     program = tp_program_or_linked(program);
     const int64_t time = (int64_t)(world->tick * TP_FX_ONE);
-    tp_surface surface = tp_world_surface(program, world);
+    tp_wave_models models;
+    tp_surface surface = application_surface(program, world, &models);
     tp_fx rest[2] = { x, z };
     const tp_surface_point at = tp_surface_sample(&surface, x, z, rest);
     const tp_vec3 now = sample_surface_point(&surface, rest, time);
@@ -116,7 +130,8 @@ static bool push_open_water(const tp_program *program, tp_world *world,
         .amplitude = (tp_fx)tp_clamp_abs(height < 0 ? -(int64_t)height : height, RING_MOST),
         .length = 4 * tp_clamp(radius, 0, RADIUS_MOST),
     };
-    const tp_surface surface = tp_world_surface(program, world);
+    tp_wave_models models;
+    const tp_surface surface = application_surface(program, world, &models);
 
     if (!program->water.rings || scene->drops.target != TP_DROPS_RINGS || is_far(x)
         || is_far(z))
@@ -313,7 +328,9 @@ bool tp_world_pick(const tp_program *program, const tp_world *world,
 {
     TP_ASSERT(world != NULL && world->layout.bytes > 0 && at != NULL);
     const tp_drawn drawn = tp_world_interpolate(world);
-    tp_surface surface = tp_world_surface(tp_program_or_linked(program), world);
+    tp_wave_models models;
+    tp_surface surface =
+        application_surface(tp_program_or_linked(program), world, &models);
     stretch s;
     int64_t t;
 

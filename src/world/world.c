@@ -239,6 +239,14 @@ void tp_world_reset_camera(tp_world *world, const tp_scene *scene)
         world->aboard = TP_ABOARD_DECK;
 }
 
+static void steer(tp_world *world, const tp_input *input)
+{
+    move_camera(world, input);
+    tp_clock_shift_target(&world->clock, input->slowdown);
+}
+
+const struct tp_steering tp_world_steering = { steer };
+
 /* -- a tick -------------------------------------------------------------------------- */
 
 /* Advances by one tick. Each module sees the water of the last tick; pools move last. */
@@ -250,13 +258,11 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
     program = tp_program_or_linked(program);
     world->tick++;
     save_last_camera(world);
-    if (input)
-        move_camera(world, input);
+    if (input && program->steering)
+        program->steering->steer(world, input);
     tp_deep_water_phases(&world->deep, world->tick, 0, world->phases);
     tp_light_step(world, scene, input);
     tp_modules_step(program, world, scene, input);
-    if (input)
-        tp_clock_shift_target(&world->clock, input->slowdown);
 }
 
 /* Returns the number of ticks needed to draw at the clock's time. */

@@ -309,6 +309,8 @@ static inline tp_shade quick_rough_shade(quick_lights *kept, int env, int lobe,
     s.filtered = levels > 1 ? &kept->filtered : NULL;
     s.lobe = tp_lobe_form_make(shininess, TP_FX_ONE);
     tp_quick_light_init(&kept->quick, &s, (tp_lobe)lobe, lobe != TP_LOBE_NONE, true);
+    if (s.env.kind == TP_ENV_CUBE)
+        tp_quick_fill_cube_map(&kept->quick, &s);
     return s;
 }
 

@@ -123,6 +123,8 @@ static void faces_of_unequal_size_are_one_sky(void **state)
             log2_side[f] = chance_int(&chance, 3, 6);
         paint_unequal(log2_side);
         tp_quick_light_init(&lights.quick, &s, TP_LOBE_NONE, false, true);
+        if (s.env.kind == TP_ENV_CUBE)
+            tp_quick_fill_cube_map(&lights.quick, &s);
         for (int i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++)
             colour_error_add(&off, map[i], ref_colour_unpack(equal[i]));
     }

@@ -27,7 +27,7 @@ static void compare_modules(const tp_frame *frame, tp_module_conditions want,
     const tp_use *u = frame->program->modules;
 
     for (uint32_t i = 0; u[i].module; i++) {
-        const bool on = tp_module_ask_enabled(u[i].module, &want);
+        const bool on = tp_module_ask_condition(u[i].module, &want);
         const bool seen = on && u[i].drawing;
         assert_int_equal(frame->buffers.laid >> i & 1, seen);
         assert_int_equal(frame->modules_on >> i & 1, seen);

@@ -116,6 +116,8 @@ static double compare(const bodies *b, const char *what, int32_t steep, bool shi
         if (another && !shiny) {
             memset(shade_shine, 0, sizeof shade_shine);
             tp_quick_light_init(&lights.quick, &s, (tp_lobe)b->lobe, false, true);
+            if (s.env.kind == TP_ENV_CUBE)
+                tp_quick_fill_cube_map(&lights.quick, &s);
         }
         test_run r;
         quick_run(&r, r.run.slope, steep, &chance);
@@ -214,6 +216,8 @@ static double compare_rough(const bodies *b, uint32_t variance, int32_t low, int
             memset(shade_shine, 0, sizeof shade_shine);
             set_waves(&s, variance);
             tp_quick_light_init(&lights.quick, &s, (tp_lobe)b->lobe, false, true);
+            if (s.env.kind == TP_ENV_CUBE)
+                tp_quick_fill_cube_map(&lights.quick, &s);
         }
         test_run r;
         quick_run(&r, r.run.slope, 410, &chance);

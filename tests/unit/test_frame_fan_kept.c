@@ -32,7 +32,7 @@ static void assert_same_law(const tp_fan_law *a, const tp_fan_law *b)
     assert_int_equal(a->tail, b->tail);
     assert_int_equal(a->rows, b->rows);
     assert_int_equal(a->cols, b->cols);
-    assert_int_equal(a->walled, b->walled);
+    assert_ptr_equal(a->walls, b->walls);
 }
 
 typedef struct {
@@ -51,7 +51,8 @@ static law_input any_input(void)
         .half_longest = chance_fx(&chance, 1, 200), .shortest = chance_fx(&chance, 0.5, 20),
         .high = chance_fx(&chance, 0, 4), .aside = chance_fx(&chance, 0, 4),
         .land = chance_fx(&chance, -20, 2), .detail = chance_fx(&chance, 0.1, 1),
-        .detail_end = chance_fx(&chance, 1, 300), .walled = random_below(&chance, 2),
+        .detail_end = chance_fx(&chance, 1, 300),
+        .walls = random_below(&chance, 2) ? &tp_fan_tank : NULL,
         .sides = { chance_fx(&chance, -9, -1), chance_fx(&chance, 1, 9),
                    chance_fx(&chance, -9, -1), chance_fx(&chance, 1, 9) },
     };
@@ -80,7 +81,7 @@ static bool change_number(law_input *in, int n, int32_t by)
     else if (n == count + 2)
         in->vertices++;
     else if (n == count + 3)
-        v->walled = !v->walled;
+        v->walls = v->walls ? NULL : &tp_fan_tank;
     else if (n == count + 4)
         v->detail_end += (int64_t)by * 65536 * 65536;
     else if (n == count + 5)
@@ -217,7 +218,7 @@ static void change_any(numbers *n)
     else if (which == 14)
         n->detail.sides.x1 += tp_abs(by);
     else if (which == 15)
-        n->detail.walled = !n->detail.walled;
+        n->detail.walls = n->detail.walls ? NULL : &tp_fan_tank;
     else if (which == 16)
         n->more[random_below(&chance, 2)] += (int64_t)by * 1024;
     else if (which == 17)

@@ -91,7 +91,7 @@ static bool any_scene(shown_modules *s)
         tp_frame_module_conditions(&tp_program_all, &f.frame->buffers, &s->scene,
                                    &s->assets, &config);
     for (uint32_t i = 0; i < COUNT; i++)
-        s->on[i] = tp_module_ask_enabled(tp_program_all.modules[i].module, &want);
+        s->on[i] = tp_module_ask_condition(tp_program_all.modules[i].module, &want);
     frame_free(&f);
     return true;
 }

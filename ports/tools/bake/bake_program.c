@@ -111,7 +111,8 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                     .format = o->format },
         /* With --with, scenes can switch on more at run time: scenes are checked, and the
          * program has room for waves beyond the scene's own. */
-        .terms = { o->format, o->stream, !o->with, o->with != NULL },
+        .terms = { o->format, o->stream, !o->with, o->with != NULL,
+                   !o->no_input },
         .acts = !o->no_input,
         .worlds = worlds,
     };

@@ -65,10 +65,44 @@ static void add_active_modules(component_set *needed,
     }
 }
 
-/* Every picture needs sky and plain water; the request names others. */
+/* Parts of drawing that only some cameras need, and the component that calls each. */
+static const struct { const char *part, *caller; } of_cameras[] = {
+    { "cells", "triangles" }, { "row_sides", "rows" }, { "row_middles", "rows" },
+    { "flat_roll", "flat" }, { "samples", "swells" },
+};
+
+enum { OF_CAMERAS = sizeof of_cameras / sizeof *of_cameras };
+
+static bool is_part(size_t i, const char *name)
+{
+    return components[i].kind < COMPONENT_MODULE && !strcmp(components[i].name, name);
+}
+
+/* A user, or a scene that may change, meets more cameras than those that are compared. */
+static void add_parts_of_cameras(component_set *needed,
+                                 const component_search_request *request)
+{
+    for (size_t i = 0; i < component_count; i++)
+        for (size_t k = 0; k < OF_CAMERAS; k++)
+            needed->has[i] |= (request->acts || request->terms.checks)
+                              && is_part(i, of_cameras[k].part);
+}
+
+void components_drop_uncalled(component_set *in)
+{
+    for (size_t k = 0; k < OF_CAMERAS; k++) {
+        bool called = false;
+        for (size_t i = 0; i < component_count; i++)
+            called |= in->has[i] && is_part(i, of_cameras[k].caller);
+        for (size_t i = 0; i < component_count; i++)
+            in->has[i] &= called || !is_part(i, of_cameras[k].part);
+    }
+}
+
+/* Every picture needs plain water; the request names others. */
 static void add_required(component_set *needed, const component_search_request *request)
 {
-    static const char *const always[] = { "sky", "plain" };
+    static const char *const always[] = { "plain" };
 
     for (size_t i = 0; i < component_count; i++) {
         for (size_t k = 0; k < sizeof always / sizeof *always; k++)
@@ -85,6 +119,7 @@ component_set components_needed(const component_search_request *request)
 
     add_memory_users(&needed, request);
     add_active_modules(&needed, request);
+    add_parts_of_cameras(&needed, request);
     add_required(&needed, request);
     return needed;
 }

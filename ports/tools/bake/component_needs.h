@@ -6,4 +6,7 @@
 
 /* Returns the components that the search must not leave out. */
 component_set components_needed(const component_search_request *request);
+
+/* Removes parts that no other component of the set calls. */
+void components_drop_uncalled(component_set *in);
 #endif

@@ -206,9 +206,10 @@ static bool narrow(component_search *s, uint32_t *differs)
     return true;
 }
 
-/* Removes the stages of drawings that are left out. */
+/* Removes the stages of drawings that are left out, and parts without a caller. */
 static void tidy(component_set *in)
 {
+    components_drop_uncalled(in);
     bool drawn = false;
 
     for (size_t i = 0; i < component_count; i++) {

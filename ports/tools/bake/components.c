@@ -153,6 +153,7 @@ static void make(component_list *to, const component_set *of,
     }
     to->program.modules = to->use;
     to->program.check = terms->checks ? tp_scene_check : NULL;
+    to->program.steering = terms->steers ? &tp_world_steering : NULL;
     to->program.store[terms->format] = tp_program_all.store[terms->format];
     if (terms->streams && to->program.method.triangles)
         to->program.method.triangles = &tp_method_streamed;
@@ -226,6 +227,7 @@ void components_add_models(component_set *set)
     static const struct { const char *module, *model; } needs[] = {
         { "drops", "rings" }, { "main_pool", "pools" }, { "field", "pools" },
         { "coastal", "coastal" }, { "coastal", "swells" },
+        { "hull", "samples" }, { "drops", "samples" }, { "underwater", "samples" },
     };
 
     for (size_t n = 0; n < sizeof needs / sizeof *needs; n++) {
@@ -386,6 +388,8 @@ void components_write(FILE *out, const char *name, const component_set *of,
             name, name);
     if (terms->checks)
         fprintf(out, "    .check = tp_scene_check,\n");
+    if (terms->steers)
+        fprintf(out, "    .steering = &tp_world_steering,\n");
     for (int kind = COMPONENT_STAGE; kind < COMPONENT_MODULE; kind++)
         write_kind(out, of, terms, (component_kind)kind);
     if (refuses)

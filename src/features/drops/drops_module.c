@@ -347,7 +347,7 @@ static void add_detail(const tp_scene *scene, bool flat, tp_water_detail *detail
                          + ((int64_t)drops->ring_speed * drops->ring_decay * DECAYS >> 16);
 
     (void)flat;
-    if (drops->count > 0 && drops->target == TP_DROPS_RINGS && !detail->walled)
+    if (drops->count > 0 && drops->target == TP_DROPS_RINGS && !detail->walls)
         tp_grid_detail_widen(detail, length, tp_rectangle_make(drops->x, drops->z, half, half));
 }
 

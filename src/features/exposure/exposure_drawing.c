@@ -31,6 +31,21 @@ static tp_fx drawn_exposure(const tp_frame *frame)
                                                           : exposure;
 }
 
+const struct tp_draw_tone_rgb565 tp_draw_tone_rgb565 = { tp_store_rgb565_tone_mapped };
+
+const struct tp_draw_tone_rgb565be tp_draw_tone_rgb565be = { tp_store_rgb565be_tone_mapped };
+
+/* Returns the function that maps and stores pixels of the frame's format; NULL: none. */
+static tp_tone_mapped_store *choose_store(const tp_frame *frame)
+{
+    const tp_draws *draw = &frame->program->draw;
+
+    return frame->config.format == TP_FORMAT_RGB565 && draw->tone_rgb565
+               ? draw->tone_rgb565->store
+         : frame->config.format == TP_FORMAT_RGB565BE && draw->tone_rgb565be
+               ? draw->tone_rgb565be->store : NULL;
+}
+
 /* Makes the tone tables if the exposure changed, and chooses the method.  Panes of glass
  * and overlays must be drawn over tone-mapped colours: both exclude the pixel table. */
 static void begin_tone_mapping(tp_frame *frame, void *mine)
@@ -44,9 +59,7 @@ static void begin_tone_mapping(tp_frame *frame, void *mine)
         make_tones(e, exposure);
     if (frame->config.overlay.draw || tp_frame_has_module(frame, TP_MODULE_PANES))
         return;
-    frame->store_tone_mapped =
-        frame->config.format == TP_FORMAT_RGB565 ? tp_store_rgb565_tone_mapped
-        : frame->config.format == TP_FORMAT_RGB565BE ? tp_store_rgb565be_tone_mapped : NULL;
+    frame->store_tone_mapped = choose_store(frame);
     frame->tone_map = frame->store_tone_mapped ? &e->tone_map : NULL;
 }
 

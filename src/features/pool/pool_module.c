@@ -138,14 +138,14 @@ static void add_pool_detail(const tp_scene_pool *pool, tp_water_detail *detail)
 static void pool_detail(const tp_scene *scene, bool flat, tp_water_detail *detail)
 {
     if (tp_is_walled(scene))
-        *detail = (tp_water_detail){ .sides = tp_pool_sides(scene), .walled = true };
+        *detail = (tp_water_detail){ .sides = tp_pool_sides(scene), .walls = &tp_fan_tank };
     else if (!flat)
         add_pool_detail(&scene->pool, detail);
 }
 
 static void field_detail(const tp_scene *scene, bool flat, tp_water_detail *detail)
 {
-    if (!flat && !detail->walled)
+    if (!flat && !detail->walls)
         add_pool_detail(&scene->field, detail);
 }
 

@@ -145,6 +145,11 @@ typedef struct {
 /* Fills the colours from the sky of shade->env. */
 void tp_horizon_make(uint32_t colour[TP_HORIZON + 1], const tp_shade *shade);
 
+/* Makes the colours of a horizon if the sky or the light has changed. */
+struct tp_draw_horizon {
+    void (*refresh)(tp_horizon *horizon, const tp_shade *shade);
+};
+
 #define TP_HAZE 512
 extern const tp_entry8 tp_haze_table[TP_HAZE + 1];      /* horizon's share of 255 */
 

@@ -34,7 +34,7 @@ static bool columns_meet_wall(const tp_grid *grid, bool across)
 /* Returns the grid vertices along a wall; 0: no grid, or one that does not end there. */
 static uint32_t count_edge_vertices(const tp_grid *grid, bool across)
 {
-    if (!grid || !grid->fan->law.walled)
+    if (!grid || !grid->fan->law.walls)
         return 0;
     return columns_meet_wall(grid, across) ? grid->cols : grid->rows;
 }

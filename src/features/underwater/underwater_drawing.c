@@ -89,8 +89,9 @@ static void set_walls_and_floor(const tp_frame *frame, tp_underwater *in)
                                  scene->floor.texture_size, scene->floor.colour, true);
 }
 
-/* True if the eye is under the surface, and inside the tank if there is a tank. */
-static bool is_eye_submerged(const tp_frame *frame)
+/* True if the eye is under the surface, and inside the tank if there is a tank.  A program
+ * without samples takes swells for level, and counts that. */
+static bool is_eye_submerged(tp_frame *frame)
 {
     tp_vec3 eye = frame->projection.eye;
     tp_rectangle r = tp_pool_sides(frame->scene);
@@ -100,6 +101,8 @@ static bool is_eye_submerged(const tp_frame *frame)
     if (tp_frame_has_tank(frame)
         && (eye.x <= r.x0 || eye.x >= r.x1 || eye.z <= r.z0 || eye.z >= r.z1))
         return false;
+    frame->stats.dropped +=
+        tp_surface_has_swells(&frame->surface) && !frame->surface.by->samples;
     return eye.y < tp_surface_sample(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 

@@ -61,3 +61,5 @@ void tp_quick_fill_cube_map(struct tp_quick_light *quick, const tp_shade *shade)
             }
         }
 }
+
+const struct tp_draw_cube_map tp_draw_cube_map = { tp_quick_fill_cube_map };

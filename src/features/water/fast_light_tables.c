@@ -289,9 +289,7 @@ void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
         if (k > 0 && !cube)
             fill_rough_sky(quick, shade, &level);
     }
-    if (cube)
-        tp_quick_fill_cube_map(quick, shade);
-    else
+    if (!cube)
         fill_smooth_sky(quick, shade);
 }
 

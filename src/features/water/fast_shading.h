@@ -197,8 +197,12 @@ uint32_t tp_quick_ripple_variance(const tp_shade *shade);
 void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
                          tp_lobe lobe, bool specular, bool rippled);
 
-/* fast_cube_map.c: fills the map of a cube's light. */
+/* fast_cube_map.c: fills the map of a cube's light, which tp_quick_light_init leaves. */
 void tp_quick_fill_cube_map(struct tp_quick_light *quick, const tp_shade *shade);
+
+struct tp_draw_cube_map {
+    void (*fill)(struct tp_quick_light *quick, const tp_shade *shade);
+};
 
 /* Adds the part beyond white of mirrored light [F8]; light: of the cube's map; mirrors: share
  * of 256; beyond: of tp_env. */

@@ -72,6 +72,8 @@ static void update_tables(tp_frame *frame, struct tp_quick_light *light, bool ri
         return;
     memcpy(light->made_for, key, sizeof key);
     tp_quick_light_init(light, &frame->shade, select_lobe(frame), specular, ripples);
+    if (frame->shade.env.kind == TP_ENV_CUBE && frame->program->draw.cube_map)
+        frame->program->draw.cube_map->fill(light, &frame->shade);
 }
 
 /* Sets the layers and tables of fast shading, if this picture uses fast shading. */
@@ -81,7 +83,9 @@ static void begin_fast_water(tp_frame *frame, void *mine)
 
     if (frame->rungs.shading != TP_SHADING_QUICK)
         return;
-    tp_fast_textures_begin(&fast->textures, frame, &fast->layers);
+    frame->stats.dropped +=
+        tp_fast_textures_begin(&fast->textures, frame, &fast->layers)
+        + (frame->shade.env.kind == TP_ENV_CUBE && !frame->program->draw.cube_map);
     const bool ripples = bends_normals(frame, &fast->layers);
     frame->shade.quick = &fast->light;
     fast->light.lit = tp_frame_has_module(frame, TP_MODULE_CLEAR);

@@ -99,21 +99,39 @@ void tp_bake_layer(tp_texture *to, const tp_scene *scene, const tp_assets *asset
     bake_texture(to, i, source_texture(assets, i), &wish, memory);
 }
 
-/* Returns the baked texture i, baked now if needed; NULL: none. */
-static const tp_texture *provide_baked_texture(const tp_frame *frame,
-                                               tp_fast_textures *textures, int i)
+static const tp_texture *update_texture(const tp_frame *frame, tp_fast_textures *textures,
+                                        int i)
 {
     const tp_quick_wish wish = bake_parameters(frame->scene, &frame->assets, i);
 
-    if (baked_texture(&frame->assets, i))
-        return baked_texture(&frame->assets, i);
-    if (!textures->memory[i])
-        return NULL;
     if (textures->picture[i].levels == 0 || !is_same(&textures->made[i], &wish))
         bake_texture(&textures->picture[i], i, source_texture(&frame->assets, i), &wish,
                      textures->memory[i]);
     textures->made[i] = wish;
     return &textures->picture[i];
+}
+
+const struct tp_draw_baking tp_draw_baking = { update_texture };
+
+/* Returns the baked texture i, baked now if needed; NULL: none. */
+static const tp_texture *provide_baked_texture(const tp_frame *frame,
+                                               tp_fast_textures *textures, int i)
+{
+    const struct tp_draw_baking *baking = frame->program->draw.baking;
+
+    if (baked_texture(&frame->assets, i))
+        return baked_texture(&frame->assets, i);
+    return textures->memory[i] && baking ? baking->update(frame, textures, i) : NULL;
+}
+
+/* Returns the number of textures that the program cannot bake. */
+static uint32_t count_unbaked(const tp_fast_textures *textures, const tp_frame *frame)
+{
+    uint32_t count = 0;
+
+    for (int i = 0; i < TP_BAKED_LAYERS; i++)
+        count += textures->memory[i] != NULL;
+    return frame->program->draw.baking ? 0 : count;
 }
 
 /* Returns baked texture i, placed on the water as `map` says; `lod_bias` is added to the
@@ -129,8 +147,8 @@ static tp_quick_map make_baked_map(const tp_frame *frame, tp_fast_textures *text
     return tp_quick_map_make(&layer);
 }
 
-void tp_fast_textures_begin(tp_fast_textures *textures, const tp_frame *frame,
-                            tp_quick_layers *layers)
+uint32_t tp_fast_textures_begin(tp_fast_textures *textures, const tp_frame *frame,
+                                tp_quick_layers *layers)
 {
     const tp_scene *scene = frame->scene;
 
@@ -140,4 +158,5 @@ void tp_fast_textures_begin(tp_fast_textures *textures, const tp_frame *frame,
     layers->ripple =        /* a bilinear look-up blurs as the exact stages do */
         make_baked_map(frame, textures, SLOPES, &scene->ripple.map,
                        scene->quality.ripple <= TP_RUNG_EXACT ? 0 : TP_RIPPLE_LOD);
+    return count_unbaked(textures, frame);
 }

@@ -27,8 +27,14 @@ void tp_fast_textures_layout(tp_fast_textures *textures, tp_arena *arena,
 void tp_fast_textures_init(tp_fast_textures *textures);
 
 /* Sets the layers of a picture, and bakes textures whose parameters have changed.  Call
- * after the water's colour is set. */
-void tp_fast_textures_begin(tp_fast_textures *textures, const tp_frame *frame,
-                            tp_quick_layers *layers);
+ * after the water's colour is set.  Returns the number of textures that are missing in the
+ * assets and that the program cannot bake. */
+uint32_t tp_fast_textures_begin(tp_fast_textures *textures, const tp_frame *frame,
+                                tp_quick_layers *layers);
+
+/* Bakes texture i if a parameter has changed, and returns the texture. */
+struct tp_draw_baking {
+    const tp_texture *(*update)(const tp_frame *frame, tp_fast_textures *textures, int i);
+};
 
 #endif
