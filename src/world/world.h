@@ -159,14 +159,14 @@ typedef struct {
 
 tp_drawn tp_world_interpolate(const tp_world *world);
 
+/* The same for a picture by a program, whose module `hull` carries the camera of a deck. */
+tp_drawn tp_program_interpolate(const tp_program *program, const tp_world *world);
+void tp_camera_carry(const tp_world *world, tp_fx lag, tp_camera *camera);
+
 /* Moves the camera and the clock by the input of a tick. */
 struct tp_steering {
     void (*steer)(tp_world *world, const tp_input *input);
 };
-
-/* The same for a picture by a program, whose module `hull` carries the camera of a deck. */
-tp_drawn tp_program_interpolate(const tp_program *program, const tp_world *world);
-void tp_camera_carry(const tp_world *world, tp_fx lag, tp_camera *camera);
 
 /* Returns the camera in world axes at `lag` of a tick before the last tick. */
 tp_camera tp_camera_interpolate(const tp_world *world, tp_fx lag);

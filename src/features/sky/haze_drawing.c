@@ -51,6 +51,9 @@ static void refresh_horizon(tp_horizon *horizon, const tp_shade *shade)
     horizon->made_of = source;
 }
 
+const struct tp_draw_horizon tp_draw_horizon = { refresh_horizon };
+
+/* Without the horizon's colours the exact stages draw. */
 static void begin_haze(tp_frame *frame, void *mine)
 {
     tp_haze *haze = mine;
@@ -59,9 +62,10 @@ static void begin_haze(tp_frame *frame, void *mine)
     haze->scale =
         (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->projection.zi_near);
     haze->around = haze->laid && frame->shade.env.kind != TP_ENV_GRADIENT
-                   && frame->scene->quality.haze == TP_RUNG_FAST;
+                   && frame->scene->quality.haze == TP_RUNG_FAST
+                   && frame->program->draw.horizon;
     if (haze->around)
-        refresh_horizon(mine, &frame->shade);
+        frame->program->draw.horizon->refresh(mine, &frame->shade);
 }
 
 /* Returns the stage for the kind of sky.  Without memory for the horizon's colours the fast
