@@ -14,10 +14,10 @@
  * tests/budgets/processor-ticks.sh.  Cells of up to 16 bits: pond; with a sponge: tank 1.58,
  * harbour 1.77; of 32 bits: tank 1.31, pond 1.45.  Waves have products of 64 bits: storm,
  * deep-sea, and shallows, where a wave over a map takes 5.29 with the coastal wave's share.
- * COASTAL: the rest of the ticks of deep-sea 2.98 and shallows 3.12. */
+ * COASTAL: the rest of the ticks of deep-sea 2.98 and shallows 3.12.  In hundredths. */
 #define WORKS(X) \
-    X(CELLS, 1.9) X(SPONGE, 1.65) X(WIDE, 1.4) X(DRIVE, 2.9) X(VISITS, 3.1) X(DEEP, 4.9) \
-    X(COASTAL, 3.0) X(COASTAL_WAVES, 3.8) X(MAP_WAVES, 7.3)
+    X(CELLS, 190) X(SPONGE, 165) X(WIDE, 140) X(DRIVE, 290) X(VISITS, 310) X(DEEP, 490) \
+    X(COASTAL, 300) X(COASTAL_WAVES, 380) X(MAP_WAVES, 730)
 
 enum {
 #define X(name, m0plus) name,
@@ -26,10 +26,11 @@ enum {
     WORK_COUNT
 };
 
-typedef struct { double of[WORK_COUNT]; } tick_work;
+/* Instructions of a Cortex-M4. */
+typedef struct { uint64_t of[WORK_COUNT]; } tick_work;
 
-static const double factors[][WORK_COUNT] = {
-#define X(name, m0plus) [name] = 1,
+static const uint32_t factors[][WORK_COUNT] = {
+#define X(name, m0plus) [name] = 100,
     [TP_PROCESSOR_M4] = { WORKS(X) },
 #undef X
 #define X(name, m0plus) [name] = m0plus,
@@ -37,18 +38,18 @@ static const double factors[][WORK_COUNT] = {
 #undef X
 };
 
-static double work_cost(const tick_work *work, tp_processor processor)
+static uint64_t work_cost(const tick_work *work, tp_processor processor)
 {
-    double sum = 0;
+    uint64_t sum = 0;
 
     for (int i = 0; i < WORK_COUNT; i++)
         sum += work->of[i] * factors[processor][i];
-    return sum;
+    return sum / 100;
 }
 
 /* -- pools --------------------------------------------------------------------------- */
 
-typedef struct { double still, moving; } cell_cost;
+typedef struct { uint32_t still, moving; } cell_cost;
 
 /* Costs of a cell by its bits, without inner walls, with walls and with a sponge.  Moving
  * cells: assets/charts/pool.csv at 64 x 64 cells.  Still cells, and inner walls: counted
@@ -79,15 +80,15 @@ static void add_step(tick_work *work, const tp_pool *pool, const tp_scene_pool *
 {
     const cell_cost *cost =
         &cell_costs[pool->cells][pool->sponge != 0 ? 2 : pool->walls != 0];
-    const double cells = tp_pool_count(pool), moving = count_moving_cells(pool);
+    const uint64_t cells = tp_pool_count(pool), moving = count_moving_cells(pool);
 
     const int kind = pool->cells == TP_CELLS_32 ? WIDE : pool->sponge != 0 ? SPONGE : CELLS;
 
     if (!pool->at_rest)
         work->of[kind] += cost->still * (cells - moving) + cost->moving * moving;
-    work->of[DRIVE] += (scene->paddle > 0 ? PADDLE_COLUMN * (double)pool->cols : 0)
+    work->of[DRIVE] += (scene->paddle > 0 ? (uint64_t)PADDLE_COLUMN * pool->cols : 0)
                      + (scene->drive_min > 0 ? DRIVE_CELL * cells : 0)
-                     + INJECTION * (double)injected;
+                     + (uint64_t)INJECTION * injected;
 }
 
 /* Steps the world by a tick and returns the work of its pools. */
@@ -127,30 +128,38 @@ static tick_work step_pools(tp_world *world, const tp_scene *scene)
 #define COASTAL_WAVE 354
 #define MAP_WAVE 266            /* each wave over a map of the floor, in addition */
 
-static double covered_share(const tp_foam *foam)
+/* Shares are fixed-point numbers from 0 to TP_FX_ONE. */
+static uint64_t scale(uint64_t work, uint64_t share)
+{
+    return work * share >> 16;
+}
+
+static uint64_t covered_share(const tp_foam *foam)
 {
     const uint8_t *cover = (const uint8_t *)(foam + 1);
-    const size_t cells = (size_t)foam->cells * foam->cells;
-    size_t count = 0;
+    const uint64_t cells = (uint64_t)foam->cells * foam->cells;
+    uint64_t count = 0;
 
     for (size_t i = 0; i < cells; i++)
         count += cover[i] != 0;
-    return (double)count / (double)cells;
+    return count * TP_FX_ONE / cells;
 }
 
-/* Returns the cost of a hull's foam for a cell: the share of the window in reach. */
-static double hull_cost(const tp_foam_maker *m, const tp_foam *foam)
+/* Returns the cost of a hull's foam for `visits` cells: near the hull a cell costs more. */
+static uint64_t hull_cost(const tp_foam_maker *m, const tp_foam *foam, uint64_t visits)
 {
-    const double side = (double)foam->cells * foam->cell, reach = 2.0 * m->hull.foam_radius;
-    const double near = reach < side ? reach * reach / side / side : 1;
+    const uint64_t side = (uint64_t)foam->cells * (uint64_t)foam->cell;
+    const uint64_t reach = 2 * (uint64_t)m->hull.foam_radius;
+    const uint64_t along = reach < side ? reach * TP_FX_ONE / side : TP_FX_ONE;
+    const uint64_t near = scale(visits, scale(along, along));
 
-    return m->has_hull ? HULL_FAR + near * HULL_NEAR : 0;
+    return m->has_hull ? visits * HULL_FAR + near * HULL_NEAR : 0;
 }
 
 /* Returns the share of the foam's window over water. */
-static double wet_share(const tp_coastal_water *coastal, const tp_foam *foam)
+static uint64_t wet_share(const tp_coastal_water *coastal, const tp_foam *foam)
 {
-    int32_t wet = 0, all = 0;
+    uint64_t wet = 0, all = 0;
 
     for (int32_t j = 0; j < (int32_t)foam->cells; j += 4)
         for (int32_t i = 0; i < (int32_t)foam->cells; i += 4, all++) {
@@ -158,21 +167,21 @@ static double wet_share(const tp_coastal_water *coastal, const tp_foam *foam)
             const tp_fx z = tp_foam_cell_centre(foam, foam->first_z + j, foam->drift_z);
             wet += tp_coastal_floor(coastal, x, z).depth > 0;
         }
-    return (double)wet / all;
+    return wet * TP_FX_ONE / all;
 }
 
 /* Adds the waves' work of a number of visits. */
 static void add_waves(tick_work *work, const tp_world *world, const tp_scene *scene,
-                      const tp_foam *foam, double visits)
+                      const tp_foam *foam, uint64_t visits)
 {
     const tp_coastal_water *coastal = tp_world_coastal(world);
-    const double waves = world->deep.count;
+    const uint64_t waves = world->deep.count;
 
     if (!coastal) {
         work->of[DEEP] += visits * (DEEP_VISIT + DEEP_WAVE * waves);
         return;
     }
-    visits *= wet_share(coastal, foam);
+    visits = scale(visits, wet_share(coastal, foam));
     work->of[COASTAL] += visits * COASTAL_VISIT;
     work->of[COASTAL_WAVES] += visits * COASTAL_WAVE * waves;
     work->of[MAP_WAVES] += scene->floor.map[0] ? visits * MAP_WAVE * waves : 0;
@@ -187,14 +196,16 @@ static void add_foam(tick_work *work, const tp_world *world, const tp_scene *sce
     if (!foam)
         return;
     tp_foam_maker_begin(&m, foam, world, scene);
-    const double n = foam->slices, visits = (double)foam->cells * foam->cells / TP_FOAM_TICKS;
-    const double walls = m.pool ? WALL : 0, hull = hull_cost(&m, foam);
+    const uint64_t n = foam->slices;
+    const uint64_t visits = (uint64_t)foam->cells * foam->cells / TP_FOAM_TICKS;
+    const uint64_t walls = m.pool ? WALL : 0, hull = hull_cost(&m, foam, visits);
     const bool foams = foam->slices > 1 ? tp_foam_maker_has_waves(&m)
                                         : m.coastal || scene->foam.crest > 0;
 
-    work->of[VISITS] += n > 1 ? visits * (VISIT_SLICED + FADE * covered_share(foam)
-                                          + (VISIT + walls) / n + 0.4 * hull)
-                              : visits * (VISIT + walls + hull);
+    work->of[VISITS] += n > 1 ? visits * VISIT_SLICED
+                                    + FADE * scale(visits, covered_share(foam))
+                                    + visits * (VISIT + walls) / n + hull * 2 / 5
+                              : visits * (VISIT + walls) + hull;
     if (foams)
         add_waves(work, world, scene, foam, n > 1 ? visits / (4 * n) : visits);
 }
@@ -205,17 +216,17 @@ tick_cost tick_cost_estimate(tp_world *world, const tp_scene *scene,
                              tp_processor processor)
 {
     tick_work visits = { { 0 } };
-    double sum = 0, most = 0;
+    uint64_t sum = 0, most = 0;
 
     for (int i = 0; i < WARM; i++)
         tp_world_step(&tp_program_all, world, scene, NULL);
     for (int i = 0; i < TICKS; i++) {
         const tick_work work = step_pools(world, scene);
-        const double pools = work_cost(&work, processor);
+        const uint64_t pools = work_cost(&work, processor);
         sum += pools;
         most = pools > most ? pools : most;
     }
     add_foam(&visits, world, scene);
-    const double foam = work_cost(&visits, processor);
-    return (tick_cost){ (uint64_t)(sum / TICKS + foam), (uint64_t)(most + foam) };
+    const uint64_t foam = work_cost(&visits, processor);
+    return (tick_cost){ sum / TICKS + foam, most + foam };
 }

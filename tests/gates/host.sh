@@ -31,9 +31,16 @@ shared()
         cc -std=c11 -O2 -ffreestanding -mgeneral-regs-only -fno-pie -Iinclude -Isrc \
             -Werror -Wall -c "$file" -o "$scratch/interact-$(basename "$file" .c).o" || return 1
     done
-    nm -u "$scratch"/interact-*.o | awk '
-        NF == 2 && $2 !~ /^(mem(cpy|set)|tp_[a-z0-9_]*)$/ { print; bad = 1 }
-        END { exit bad }' &&
+    nm "$scratch"/interact-*.o | awk '
+        NF == 3 { defined[$3] = 1 }
+        $1 == "U" { called[$2] = 1 }
+        END {
+            for (name in called)
+                if (!(name in defined) && name !~ /^(mem(cpy|set)|tp_[a-z0-9_]*)$/) {
+                    print name; bad = 1
+                }
+            exit bad
+        }' &&
         size "$scratch"/interact-*.o | awk 'NR > 1 && $2 + $3 > 0 { print; bad = 1 }
             END { exit bad }'
 }
