@@ -25,23 +25,8 @@ HOSTED   += $(if $(V3_C),-DTP_HAVE_PROGRAM_V3)
 endif
 V3_O     := $(if $(V3_C),$(BUILD)/program_v3.o)
 
-# For boards, files of little work are compiled for size. HOT names the others: files with
-# 1 % or more of the instructions of a shipped scene on a Cortex-M4, with its cheapest rungs
-# or without, unless -Os costs them nothing (frame/tile). Bytes of code and instructions of
-# a frame of count-64@64 on netduinoplus2: all -O2 61396, 19.62 M; all -Os 53184, 21.56 M;
-# this rule 1012 bytes more than -Os, 19.69 M.
-HOT      := $(addprefix src/,fixed/% pixel/% pool/% raster/% view/%vertices.c \
-               $(addsuffix .c,view/projection view/wave_models waves/coastal_surf \
-                   waves/coastal_water waves/deep_water waves/orbit waves/ring \
-                   shade/fast_gradient shade/refracted_ray shade/view_ray \
-                   frame/fast_scanline_water frame/flat frame/grid_cells frame/half_lines \
-                   frame/outline_colours frame/packed_rows \
-                   features/boat/boat_drawing features/boat/boat_faces \
-                   features/boat/boat_light features/boat/boat_outlines \
-                   features/boat/boat_projection features/drops/drops_drawing \
-                   features/foam/foam_lace features/foam/foam_window \
-                   features/land/land_drawing features/underwater/caustics_drawing)) \
-               %_stage.c
+# For boards, files of little work are compiled for size: all that hot.txt does not name.
+HOT      := $(wildcard $(addprefix src/,$(shell grep '^[a-z*]' src/hot.txt)))
 SMALL    := $(if $(BOARD),$(patsubst -O2,-Os,$(filter -O2,$(OPT))))
 ifneq ($(SMALL),)
 $(patsubst %.c,$(CORE_AT)/%.o,$(filter-out $(HOT),$(CORE))): private FLAGS += $(SMALL)
@@ -52,7 +37,7 @@ $(BUILD)/checked/libtidepool.a: $(CORE:%.c=$(BUILD)/checked/%.o) $(ASSERT_O)
 $(BUILD)/program_v3.o: $(V3_C:%.c=$(BUILD)/v3/%.o)
 	$(SAY)$(LD) -r $^ -o $@
 	@$(OBJCOPY) --keep-global-symbol=tp_program_v3 $@
-$(CORE_AT)/src/%.o: src/%.c $(CORE_AT)/flags
+$(CORE_AT)/src/%.o: src/%.c $(CORE_AT)/flags $(if $(SMALL),src/hot.txt)
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) -c $< -o $@
 $(BUILD)/checked/src/%.o: src/%.c $(BUILD)/flags

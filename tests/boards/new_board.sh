@@ -98,6 +98,24 @@ for cpu in cortex-m0 cortex-m3 cortex-m7 cortex-m33; do
     check "a project for a $cpu compiles" compiles $cpu
 done
 
+# small: the core's files that a list of compilers' commands compiles for size.
+small()
+{
+    grep -e ' -Os ' | grep -o ' -c [^ ]*src/[a-z0-9_/]*\.c' | sed 's,.*src/,,' | sort -u
+}
+build -s -B -n V=1 BOARD=cortex-m/m0plus lib | small >"$scratch/small"
+check "boards compile files of little work for size" test -s "$scratch/small"
+same_small()    { small >"$scratch/other" && diff "$scratch/small" "$scratch/other"; }
+by_makefile()   { build -s -B -n -C "$second" build/libtidepool.a | same_small; }
+check "Makefile: the same files" by_makefile
+by_cmake()
+{
+    env -u MAKEFLAGS cmake -S "$second" -B "$scratch/cmake" \
+        -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$scratch/said" &&
+        grep '"command":' "$scratch/cmake/compile_commands.json" | same_small
+}
+lacks cmake cmake "a new board's project by CMake" || check "CMake: the same files" by_cmake
+
 # -- runs ---------------------------------------------------------------------------------
 
 # A checkout with those files of the library alone that the program links with the built
