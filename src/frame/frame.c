@@ -33,13 +33,14 @@ bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
     return tp_modules_is_any_active(program->modules, &conditions, TP_MODULE_COASTAL);
 }
 
-/* True if grid vertices are streamed.  Vertices of coastal water depend on their
- * neighbours and are stored. */
-bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene)
+bool tp_frame_has_coast(const tp_program *program, const tp_scene *scene)
 {
-    const struct tp_water_renderer *method = program->method.triangles;
-    return method && method->streams
-           && (!tp_has_floor(scene) || !tp_frame_is_coastal(program, scene));
+    return tp_has_floor(scene) && tp_frame_is_coastal(program, scene);
+}
+
+bool tp_frame_is_grid_streamed(const tp_program *program)
+{
+    return program->method.triangles && program->method.triangles->streams;
 }
 
 /* Returns the conditions that decide if a module is on, for a frame. */
@@ -56,6 +57,7 @@ tp_module_conditions tp_frame_module_conditions(const tp_program *program,
         .width = config->width,
         .height = config->height,
         .shadings = buffers->rung_mask.shading,
+        .streams = tp_frame_is_grid_streamed(program),
     };
 }
 
@@ -211,10 +213,12 @@ static uint32_t count_extra_rows(const tp_config *c, const tp_scene *scene)
     return half ? half->extra_rows(c->tile_height, c->height) : 0;
 }
 
-static uint32_t streamed_cols(const tp_program *program, const tp_scene *scene)
+/* Returns the bytes of a tile's window of a streamed grid. */
+static size_t window_bytes(const tp_program *program, const tp_scene *scene)
 {
-    return tp_frame_is_grid_streamed(program, scene)
-               ? tp_fan_most_cols(tp_fan_budget(scene)) : 0;
+    return tp_frame_is_grid_streamed(program)
+               ? tp_grid_window_bytes(tp_fan_most_cols(tp_fan_budget(scene)),
+                                      tp_frame_has_coast(program, scene)) : 0;
 }
 
 /* Returns the planes of a tile's samples: four, and four more for outlines.  The answer
@@ -241,7 +245,7 @@ static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool 
     const size_t pixels = tp_format_row_bytes(c.format, (int)c.tile_width) * c.tile_height;
     const uint32_t planes = count_planes(c.program, scene);
     const size_t method = tp_renderer_tile_bytes(c.program, scene, &c)
-                          + TP_GRID_WINDOW(streamed_cols(c.program, scene));
+                          + window_bytes(c.program, scene);
     const size_t samples = (size_t)c.tile_width
                          * (c.tile_height + count_extra_rows(&c, scene));
     return planes * samples * sizeof(uint32_t)

@@ -118,6 +118,8 @@ tp_module_conditions tp_frame_module_conditions(const tp_program *program,
                                                 const tp_assets *assets,
                                                 const tp_config *config);
 bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
+/* True if the grid's vertices are displaced over a floor. */
+bool tp_frame_has_coast(const tp_program *program, const tp_scene *scene);
 
 /* Returns a solid's colour in the light's colour. */
 static inline uint32_t tp_frame_lit_colour(const tp_frame *frame, uint32_t colour)
@@ -126,7 +128,7 @@ static inline uint32_t tp_frame_lit_colour(const tp_frame *frame, uint32_t colou
 }
 
 /* True if the water's grid vertices are streamed, not stored. */
-bool tp_frame_is_grid_streamed(const tp_program *program, const tp_scene *scene);
+bool tp_frame_is_grid_streamed(const tp_program *program);
 tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
                                   const tp_assets *assets, const tp_config *config);
 

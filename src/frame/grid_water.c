@@ -95,7 +95,8 @@ static void place_water(tp_frame *frame)
 
 tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory)
 {
-    return tp_grid_window_init((uint8_t *)memory + frame->buffers.renderer_bytes);
+    return tp_grid_window_init(frame->buffers.grid,
+                               (uint8_t *)memory + frame->buffers.renderer_bytes);
 }
 
 static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
@@ -137,11 +138,11 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
 
     (void)config;
     tp_grid_layout(grid, arena, tp_fan_budget(scene), most_swells(program, scene),
-                   tp_frame_is_grid_streamed(program, scene));
+                   tp_frame_is_grid_streamed(program));
     buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
     if (buffers->filtered)
         tp_filtered_waves_clear(buffers->filtered);
-    if (tp_has_floor(scene) && tp_frame_is_coastal(program, scene))
+    if (tp_frame_has_coast(program, scene))
         program->water.coastal->layout(grid, arena, tp_fan_budget(scene));
 }
 

@@ -35,7 +35,7 @@ void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t 
     tp_grid_vertex *vertex =
         tp_arena_alloc(arena, streams ? 2 * cols : vertices, sizeof *vertex);
     grid->vertex = streams ? NULL : vertex;
-    grid->window = tp_grid_window_init(streams ? vertex : NULL);
+    grid->window.memory = streams ? vertex : NULL;
     grid->fan = fan;
     if (fan)
         *fan = (tp_fan){ .row = row, .vertices = vertices, .filtered_for = swell,
@@ -44,9 +44,13 @@ void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t 
 
 void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices)
 {
+    tp_grid_window *own = &grid->window;
+
     for (int k = 0; k < 3; k++)
-        grid->sheet[k] = tp_arena_alloc(arena, grid->most_cols, sizeof *grid->sheet[k]);
+        own->sheet[k].at =
+            tp_arena_alloc(arena, grid->most_cols, sizeof *own->sheet[k].at);
     grid->dry = tp_arena_alloc(arena, ((size_t)vertices + 31) / 32, sizeof *grid->dry);
+    own->dry = grid->dry;
 }
 
 /* -- vertices ------------------------------------------------------------------------ */
@@ -69,9 +73,34 @@ void tp_grid_make_view_vertices(const tp_grid *grid, const tp_grid_vertex *row, 
 
 /* -- windows ------------------------------------------------------------------------- */
 
-tp_grid_window tp_grid_window_init(void *memory)
+/* Empties the window. */
+static void forget_rows(tp_grid_window *window)
 {
-    return (tp_grid_window){ .memory = memory, .row = { UINT32_MAX, UINT32_MAX } };
+    window->row[0] = window->row[1] = UINT32_MAX;
+    for (int k = 0; k < 3; k++)
+        window->sheet[k].row = UINT32_MAX;
+}
+
+tp_grid_window tp_grid_window_init(const tp_grid *grid, void *memory)
+{
+    tp_grid_window window = { .memory = memory };
+    const uint32_t cols = grid->most_cols;
+
+    for (uint32_t k = 0; grid->streams && grid->dry && k < 3; k++)
+        window.sheet[k].at = (tp_vec3 *)(window.memory + 2 * cols) + k * cols;
+    forget_rows(&window);
+    return window;
+}
+
+/* Evaluates vertices first to end - 1 of row j into vertex[first] and on. */
+static void evaluate_vertices(const tp_grid *grid, tp_grid_window *window, uint32_t j,
+                              uint32_t first, uint32_t end, tp_grid_vertex *vertex)
+{
+    if (tp_grid_is_coastal(grid))
+        grid->surface->by->coastal->row(
+            grid, window, j, (tp_grid_span){ (uint16_t)first, (uint16_t)end }, vertex);
+    else
+        tp_fan_evaluate_row(grid, j, first, end, vertex);
 }
 
 void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j,
@@ -92,11 +121,11 @@ void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j
     window->row[side] = j;
     window->line[side] = to;
     if (first < done->first) {
-        tp_fan_evaluate_row(grid, j, first, done->first, to);
+        evaluate_vertices(grid, window, j, first, done->first, to);
         done->first = (uint16_t)first;
     }
     if (end > done->end) {
-        tp_fan_evaluate_row(grid, j, done->end, end, to);
+        evaluate_vertices(grid, window, j, done->end, end, to);
         done->end = (uint16_t)end;
     }
 }
@@ -172,9 +201,8 @@ void tp_grid_place_rows(tp_grid *grid, const tp_grid_view *view)
 {
     grid->projection = view->projection;
     grid->surface = view->surface;
-    grid->window = tp_grid_window_init(grid->window.memory);
+    forget_rows(&grid->window);
     grid->vertices = 0;
-    grid->sheets = 0;
     tp_fan_place_rows(grid, view);
 }
 
@@ -185,11 +213,9 @@ void tp_grid_evaluate_row(tp_grid *grid, uint32_t j)
 
     if (needed.first >= needed.end)
         return;
-    if (tp_grid_is_coastal(grid))
-        grid->surface->by->coastal->row(grid, j, needed);
-    else if (!grid->streams)
-        tp_fan_evaluate_row(grid, j, needed.first, needed.end,
-                            grid->vertex + (size_t)j * grid->cols);
+    if (!grid->streams)
+        evaluate_vertices(grid, &grid->window, j, needed.first, needed.end,
+                          grid->vertex + (size_t)j * grid->cols);
     tp_grid_window_load(grid, &grid->window, j, needed.first, needed.end);
     grid->vertices += (uint32_t)(needed.end - needed.first);
     merge_row_into_boxes(grid, j, needed.first, needed.end);

@@ -29,12 +29,21 @@ typedef struct {
     uint16_t first, end;        /* visible cells of a row */
 } tp_grid_span;
 
+/* Displaced vertices of a row of coastal water, those of the columns `done`. */
+typedef struct {
+    tp_vec3      *at;           /* array, one for each column */
+    uint32_t      row;
+    tp_grid_span  done;
+} tp_grid_sheet;
+
 /* Two neighbouring rows of vertices: row j is line[j & 1]. */
 typedef struct {
     const tp_grid_vertex *line[2];
     tp_grid_vertex *memory;     /* for a streamed grid: two rows */
     uint32_t        row[2];     /* rows in memory; their evaluated vertices are in `done` */
     tp_grid_span    done[2];
+    tp_grid_sheet   sheet[3];   /* of coastal water: row j is sheet[j % 3] */
+    uint32_t       *dry;        /* the grid's own window marks the land here; NULL: others */
 } tp_grid_window;
 
 typedef struct {
@@ -51,8 +60,6 @@ typedef struct {
     uint32_t vertices;          /* vertices evaluated in the last frame */
     const tp_projection *projection;
     const tp_surface    *surface;
-    tp_vec3  *sheet[3];         /* displaced vertices of coastal water, three rows */
-    uint32_t  sheets;           /* displaced rows; the last is (sheets - 1) % 3 */
     uint32_t *dry;              /* a bit per vertex of coastal water: on land */
     struct tp_fan *fan;         /* the rows, view/fan.h */
     const struct tp_draw_fast_waves *fast;  /* evaluates the vertices; NULL: fan_vertices.c */
@@ -89,8 +96,7 @@ struct tp_draw_large_waves {
 
 /* Allocates a grid of `vertices` at the most, whose slope variance is kept between frames
  * for so many swells.  A window of a streamed grid evaluates its
- * vertices again each time, with the same bits; coastal water over a floor is never
- * streamed. */
+ * vertices again each time, with the same bits. */
 void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
                     bool streams);
 
@@ -158,9 +164,13 @@ void tp_grid_place_rows(tp_grid *grid, const tp_grid_view *view);
 void tp_grid_evaluate_row(tp_grid *grid, uint32_t j);
 
 /* Returns a window of the caller, so that several threads can read a placed grid.
- * `memory` has TP_GRID_WINDOW(most_cols) bytes; unused if vertices are stored. */
-#define TP_GRID_WINDOW(cols) (2 * (size_t)(cols) * sizeof(tp_grid_vertex))
-tp_grid_window tp_grid_window_init(void *memory);
+ * `memory` has tp_grid_window_bytes(most_cols, coastal) bytes; unused if vertices are
+ * stored. */
+tp_grid_window tp_grid_window_init(const tp_grid *grid, void *memory);
+static inline size_t tp_grid_window_bytes(uint32_t cols, bool coastal)
+{
+    return cols * (2 * sizeof(tp_grid_vertex) + (coastal ? 3 * sizeof(tp_vec3) : 0));
+}
 
 /* Makes vertices first to end - 1 of row j available in the window.  They replace row
  * j - 2 or j + 2, and extend vertices of row j already in the window. */
@@ -177,8 +187,8 @@ void tp_grid_make_view_vertices(const tp_grid *grid, const tp_grid_vertex *row, 
 
 /*
  * Each vertex of coastal water is displaced by the wave model.  Waves may break and
- * overhang, so slopes are differences between the four neighbours of a vertex.  Three
- * displaced rows are kept; each is evaluated once.
+ * overhang, so slopes are differences between the four neighbours of a vertex.  A window
+ * keeps three displaced rows, its sheets; each is evaluated once.
  */
 
 static inline bool tp_grid_is_coastal(const tp_grid *grid)

@@ -24,12 +24,12 @@ static tp_coastal_point displaced_vertex(const tp_grid *grid,
                                         tp_grid_t(grid, i, j));
 }
 
-static void set_dry(tp_grid *grid, uint32_t i, uint32_t j, bool dry)
+static void set_dry(const tp_grid *grid, uint32_t *bits, uint32_t i, uint32_t j, bool dry)
 {
     size_t   at = (size_t)j * grid->cols + i;
     uint32_t bit = 1u << at % 32;
 
-    grid->dry[at / 32] = dry ? grid->dry[at / 32] | bit : grid->dry[at / 32] & ~bit;
+    bits[at / 32] = dry ? bits[at / 32] | bit : bits[at / 32] & ~bit;
 }
 
 /* Returns the columns of row j with a needed position: its own needed vertices and their
@@ -52,16 +52,37 @@ static tp_grid_span columns_to_displace(const tp_grid *grid, uint32_t j)
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-static void displace_row(tp_grid *grid, uint32_t j)
+static void displace_columns(const tp_grid *grid, const tp_grid_window *window,
+                             tp_grid_sheet *sheet, uint32_t first, uint32_t end)
 {
-    tp_vec3 *sheet = grid->sheet[j % 3];
-    tp_grid_span columns = columns_to_displace(grid, j);
+    const uint32_t j = sheet->row;
     const tp_coastal_spacing spacing = row_spacing(grid, j);
 
-    for (uint32_t i = columns.first; i < columns.end; i++) {
+    for (uint32_t i = first; i < end; i++) {
         const tp_coastal_point p = displaced_vertex(grid, &spacing, i, j);
-        sheet[i] = p.position;
-        set_dry(grid, i, j, p.depth <= 0);
+        sheet->at[i] = p.position;
+        if (window->dry)
+            set_dry(grid, window->dry, i, j, p.depth <= 0);
+    }
+}
+
+/* Displaces the vertices of row j in the window, unless it has them. */
+static void displace_row(const tp_grid *grid, tp_grid_window *window, uint32_t j,
+                         tp_grid_span columns)
+{
+    tp_grid_sheet *sheet = &window->sheet[j % 3];
+    tp_grid_span *done = &sheet->done;
+
+    if (sheet->row != j)
+        *done = (tp_grid_span){ columns.first, columns.first };
+    sheet->row = j;
+    if (columns.first < done->first) {
+        displace_columns(grid, window, sheet, columns.first, done->first);
+        done->first = columns.first;
+    }
+    if (columns.end > done->end) {
+        displace_columns(grid, window, sheet, done->end, columns.end);
+        done->end = columns.end;
     }
 }
 
@@ -128,24 +149,34 @@ static void project_vertex(const tp_projection *projection, tp_vec3 at,
         to->u = TP_GRID_NEEDS_CLIP;
 }
 
-/* Evaluates a row; rows must be called in order. */
-static void coastal_grid_evaluate_row(tp_grid *grid, uint32_t j, tp_grid_span needed)
+/* Returns the columns of row j to displace for the vertices `needed` of a row beside it, or
+ * of the row itself.  The grid's own window has all that are needed of a row at once; others
+ * take the neighbours' columns. */
+static tp_grid_span window_columns(const tp_grid *grid, const tp_grid_window *window,
+                                   uint32_t j, tp_grid_span needed)
+{
+    if (window->dry)
+        return columns_to_displace(grid, j);
+    return (tp_grid_span){ (uint16_t)previous_clamped(needed.first),
+                           (uint16_t)(needed.end < grid->cols ? needed.end + 1 : needed.end) };
+}
+
+static void coastal_grid_evaluate_row(const tp_grid *grid, tp_grid_window *window, uint32_t j,
+                                      tp_grid_span needed, tp_grid_vertex *vertex)
 {
     TP_ASSERT(tp_grid_is_coastal(grid) && j < grid->rows && needed.end <= grid->cols);
-    uint32_t near = previous_clamped(j), far = next_clamped(j, grid->rows);
+    const uint32_t near = previous_clamped(j), far = next_clamped(j, grid->rows);
 
-    grid->sheets = grid->sheets > near ? grid->sheets : near;
-    for (; grid->sheets <= far; grid->sheets++)
-        displace_row(grid, grid->sheets);
-    const tp_vec3 *row = grid->sheet[j % 3];
+    for (uint32_t k = near; k <= far; k++)
+        displace_row(grid, window, k, window_columns(grid, window, k, needed));
+    const tp_vec3 *row = window->sheet[j % 3].at, *above = window->sheet[near % 3].at,
+                  *below = window->sheet[far % 3].at;
     for (uint32_t i = needed.first; i < needed.end; i++) {
         const tp_vec3 around[4] = { row[previous_clamped(i)],
-                                    row[next_clamped(i, grid->cols)],
-                                    grid->sheet[near % 3][i], grid->sheet[far % 3][i] };
+                                    row[next_clamped(i, grid->cols)], above[i], below[i] };
         int16_t slope[2];
         tp_vec3 at = add_rings_pools_and_slopes(around, grid, row[i], slope);
-        project_vertex(grid->projection, at, slope,
-                       &grid->vertex[(size_t)j * grid->cols + i]);
+        project_vertex(grid->projection, at, slope, &vertex[i]);
     }
 }
 

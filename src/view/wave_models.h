@@ -157,7 +157,9 @@ struct tp_water_coastal {
                                const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0);
     tp_floor_at (*floor)(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
     void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices);
-    void (*row)(tp_grid *grid, uint32_t j, tp_grid_span needed);
+    /* Evaluates vertices of row j into vertex[needed.first] and on. */
+    void (*row)(const tp_grid *grid, tp_grid_window *window, uint32_t j,
+                tp_grid_span needed, tp_grid_vertex *vertex);
     tp_view_vertex (*corner)(const tp_grid *grid, uint32_t i, uint32_t j);
     /* Waves in a wind at the vertices of rows, fan_vertices.c. */
     void (*set_wind)(struct tp_fan_wave *wave, const tp_coastal_water *coastal, tp_fx share,

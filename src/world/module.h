@@ -83,6 +83,7 @@ typedef struct tp_module_conditions {
     const tp_wave_models *water;     /* wave models of the program; NULL: all models */
     uint32_t width, height;     /* size of the picture in px; 0 for a world */
     uint32_t shadings;          /* bits of tp_shading: shading rungs that a frame may use */
+    bool     streams;           /* grid vertices are streamed, not stored */
     uint32_t above;             /* bits of tp_module.is of earlier enabled modules */
 } tp_module_conditions;
 

@@ -12,12 +12,14 @@
 
 enum { WIDTH = TWICE_WIDTH, HEIGHT = TWICE_HEIGHT };
 
+#define LAND_CORNER 20          /* bytes of a stored vertex of the land */
+
 static uint64_t chance;
 static test_kit kit;
 static tp_program small; /* all modules, without a store */
 
 typedef struct {
-    uint32_t drawn, streamed, cut, rows;
+    uint32_t drawn, streamed, cut, rows, coastal, land;
 } counts;
 
 static bool is_cut(const tp_grid *grid)
@@ -65,6 +67,12 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
         count->streamed++;
         count->cut += is_cut(kept.frame->buffers.grid);
         count->rows += some.frame->visibility == TP_VISIBILITY_ROWS;
+        count->coastal += grid->dry != NULL;
+        for (uint32_t i = 0; grid->dry && i < grid->rows * grid->cols; i++)
+            if (grid->dry[i / 32] >> i % 32 & 1) {
+                count->land++;
+                break;
+            }
     }
     frame_free(&kept);
     frame_free(&some);
@@ -91,9 +99,11 @@ static void any_scene_is_drawn_the_same(void **state)
             compare(&scene, &assets, world, &count);
         free(world);
     }
-    printf("# drawn %" PRIu32 ", streamed %" PRIu32 ", with cut cells %" PRIu32 "\n",
-           count.drawn, count.streamed, count.cut);
+    printf("# drawn %" PRIu32 ", streamed %" PRIu32 ", with cut cells %" PRIu32
+           ", coastal %" PRIu32 ", with land %" PRIu32 "\n",
+           count.drawn, count.streamed, count.cut, count.coastal, count.land);
     assert_true(count.streamed > (uint32_t)scenes / 6 && count.cut > (uint32_t)scenes / 15);
+    assert_true(count.coastal > (uint32_t)scenes / 30);
 }
 
 /* Views where the scanline renderer is valid, or nearly so. */
@@ -122,24 +132,39 @@ static void rows_are_drawn_the_same(void **state)
     assert_true(count.rows > (uint32_t)views / 5 && count.cut > (uint32_t)views / 15);
 }
 
-static void vertices_of_coastal_water_are_stored(void **state)
+/* A beach before the camera, in views with land and with overhanging crests. */
+static void coasts_are_drawn_the_same(void **state)
 {
     (void)state;
-    const tp_config config = {
-        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
-    };
-    const tp_config streamed = config_with(&config, &small, NULL);
-    tp_scene scene = scene_plain();
+    counts count = { .drawn = 0 };
+    const tp_assets none = { .boat = NULL };
+    const int views = random_rounds(300, 120);
 
-    scene.floor.depth = 4 * TP_FX_ONE;
-    assert_int_equal(tp_frame_bytes(&streamed, &scene), tp_frame_bytes(&config, &scene));
-    assert_int_equal(tp_frame_scratch_bytes(&streamed, &scene),
-                     tp_frame_scratch_bytes(&config, &scene));
+    for (int n = 0; n < views; n++) {
+        tp_scene scene = scene_plain();
+        scene.floor.depth = chance_fx(&chance, 1, 6);
+        scene.floor.slope = chance_fx(&chance, 0, 0.3);
+        scene.floor.heading = chance_fx(&chance, 0, 360);
+        scene.surf.stretch = chance_fx(&chance, 0, 1);
+        scene.camera.y = chance_fx(&chance, 2, 12);
+        scene.camera.heading = chance_fx(&chance, 0, 360);
+        scene.camera.pitch = chance_fx(&chance, -40, 0);
+        scene.grid.vertices = chance_int(&chance, 64, 3600);
+        scene.quality.visibility = chance_int(&chance, TP_VISIBILITY_TRIANGLES,
+                                              TP_VISIBILITY_ROWS);
+        tp_world *world = scene_world(&scene, &none);
+        if (world)
+            compare(&scene, &none, world, &count);
+        free(world);
+    }
+    printf("# coastal %" PRIu32 ", with land %" PRIu32 ", by rows %" PRIu32 "\n",
+           count.coastal, count.land, count.rows);
+    assert_true(count.coastal > (uint32_t)views / 2 && count.land > (uint32_t)views / 4);
+    assert_true(count.rows > 0);
 }
 
-static void what_is_not_stored_takes_no_memory(void **state)
+static void check_saved_bytes(bool coastal)
 {
-    (void)state;
     const tp_config config = { .width = WIDTH,
                                .height = HEIGHT,
                                .tile_width = 32,
@@ -150,12 +175,22 @@ static void what_is_not_stored_takes_no_memory(void **state)
 
     scene.grid.vertices = 4096;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    scene.floor.depth = coastal ? 4 * TP_FX_ONE : 0;
     const size_t saved =
         tp_frame_bytes(&config, &scene) - tp_frame_bytes(&streamed, &scene);
     const uint32_t cols = tp_fan_most_cols(4096);
-    assert_int_equal(saved, (4096 - 2 * cols) * sizeof(tp_grid_vertex));
+    const size_t land = coastal ? 4096 * LAND_CORNER : 0;
+    assert_int_equal(saved, (4096 - 2 * cols) * sizeof(tp_grid_vertex) + land);
     assert_true(tp_frame_scratch_bytes(&streamed, &scene)
-                <= tp_frame_scratch_bytes(&config, &scene) + TP_GRID_WINDOW(cols));
+                <= tp_frame_scratch_bytes(&config, &scene)
+                       + tp_grid_window_bytes(cols, coastal));
+}
+
+static void what_is_not_stored_takes_no_memory(void **state)
+{
+    (void)state;
+    check_saved_bytes(false);
+    check_saved_bytes(true);
 }
 
 int main(void)
@@ -163,7 +198,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_scene_is_drawn_the_same),
         cmocka_unit_test(rows_are_drawn_the_same),
-        cmocka_unit_test(vertices_of_coastal_water_are_stored),
+        cmocka_unit_test(coasts_are_drawn_the_same),
         cmocka_unit_test(what_is_not_stored_takes_no_memory),
     };
     chance = 20;

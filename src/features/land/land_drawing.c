@@ -19,26 +19,24 @@ typedef struct {
 /* Below every trough; behind the near plane; beside the picture. */
 enum { DEEP = 1, BEHIND = 2, LEFT = 4, RIGHT = 8, ABOVE = 16, BELOW = 32 };
 
-/* Range of pixel rows, both ends included. */
+/* Range of pixel rows, both ends included, and of cells: those of a row of cells that are
+ * drawn. */
 typedef struct {
-    int32_t y0, y1;
-} band;
+    int32_t  y0, y1;
+    uint16_t first, end;
+} cell_row;
 
 typedef struct {
     tp_land_look look;          /* data of the stages; first member */
-    corner   *at;               /* rows x cols, as the water's grid */
-    band     *rows;             /* array, one for each row of cells */
+    corner   *at;               /* rows x cols, as the water's grid; NULL: streamed */
+    cell_row *rows;             /* array, one for each row of cells */
+    tp_fx     culling_depth;
     bool      seen;
 } land;
 
 /* Clamp of the land's height and depth.  The camera is up to 8 km high, and their
  * difference must fit Q16.16. */
 #define HEIGHT_MOST (24000 * TP_FX_ONE)
-
-static corner *grid_vertex(const tp_frame *frame, const land *l, uint32_t i, uint32_t j)
-{
-    return l->at + (size_t)j * frame->buffers.grid->cols + i;
-}
 
 static tp_view_vertex transform_vertex(const tp_frame *frame, uint32_t i, uint32_t j,
                                        tp_floor_at *floor)
@@ -78,11 +76,10 @@ static int32_t sides_beside_picture(const tp_projection *projection, const tp_vi
            | (y < -high ? BELOW : 0);
 }
 
-static void place_corner(const tp_frame *frame, const land *l, uint32_t i, uint32_t j,
-                         tp_fx culling_depth)
+static void place_corner(const tp_frame *frame, uint32_t i, uint32_t j,
+                         tp_fx culling_depth, corner *to)
 {
     TP_ASSERT(i < frame->buffers.grid->cols && j < frame->buffers.grid->rows);
-    corner *to = grid_vertex(frame, l, i, j);
     tp_floor_at floor;
     tp_view_vertex c = transform_vertex(frame, i, j, &floor);
 
@@ -108,25 +105,67 @@ static bool needs_clipping(const corner *const p[4])
            || p[2]->u == TP_GRID_NEEDS_CLIP || p[3]->u == TP_GRID_NEEDS_CLIP;
 }
 
-/* Sets the pixel rows touched by a row of cells; y0 > y1: none. */
-static void set_pixel_rows_of_cell_row(const tp_frame *frame, const land *l, uint32_t j)
-{
-    const corner *at = grid_vertex(frame, l, 0, j);
-    band rows = { INT32_MAX, INT32_MIN };
+/* -- rows of cells ------------------------------------------------------------------- */
 
-    for (uint32_t i = 0; i + 1 < frame->buffers.grid->cols; i++) {
-        const corner *below = at + i + frame->buffers.grid->cols;
-        const corner *const p[4] = { at + i, at + i + 1, below, below + 1 };
-        bool cut = needs_clipping(p);
-        for (int k = 0; k < 4 && !is_culled(p); k++) {
-            int32_t low = cut ? INT32_MIN : p[k]->v >> 4;
-            int32_t high = cut ? INT32_MAX : p[k]->v >> 4;
-            rows.y0 = low < rows.y0 ? low : rows.y0;
-            rows.y1 = high > rows.y1 ? high : rows.y1;
-        }
-    }
-    l->rows[j] = rows;
+/* The corners of two columns of a row of cells, if they are streamed: column i is
+ * [i & 1]. */
+typedef struct {
+    corner placed[2][2];        /* on rows j and j + 1 */
+} cell_walk;
+
+static void load_column(const tp_frame *frame, const land *l, uint32_t i, uint32_t j,
+                        cell_walk *walk)
+{
+    for (uint32_t k = 0; k < 2 && !l->at; k++)
+        place_corner(frame, i, j + k, l->culling_depth, &walk->placed[i & 1][k]);
 }
+
+/* Sets the corners (i, j), (i+1, j), (i, j+1), (i+1, j+1) of a cell whose left column was
+ * loaded before. */
+TP_ALWAYS_INLINE void find_corners(const tp_frame *frame, const land *l, uint32_t i,
+                                   uint32_t j, cell_walk *walk, const corner *p[4])
+{
+    if (!l->at)
+        load_column(frame, l, i + 1, j, walk);
+    for (uint32_t k = 0; k < 2; k++) {
+        const corner *const at = l->at + (size_t)(j + k) * frame->buffers.grid->cols + i;
+        p[2 * k] = l->at ? at : &walk->placed[i & 1][k];
+        p[2 * k + 1] = l->at ? at + 1 : &walk->placed[(i + 1) & 1][k];
+    }
+}
+
+static void add_cell(cell_row *row, uint32_t i, const corner *const p[4])
+{
+    const bool cut = needs_clipping(p);
+
+    if (row->first == row->end)
+        row->first = (uint16_t)i;
+    row->end = (uint16_t)(i + 1);
+    for (int k = 0; k < 4; k++) {
+        int32_t low = cut ? INT32_MIN : p[k]->v >> 4;
+        int32_t high = cut ? INT32_MAX : p[k]->v >> 4;
+        row->y0 = low < row->y0 ? low : row->y0;
+        row->y1 = high > row->y1 ? high : row->y1;
+    }
+}
+
+/* Sets the drawn cells of row j and the pixel rows that they touch; y0 > y1: none. */
+static void set_cell_row(const tp_frame *frame, const land *l, uint32_t j)
+{
+    cell_row row = { INT32_MAX, INT32_MIN, 0, 0 };
+    cell_walk walk;
+
+    load_column(frame, l, 0, j, &walk);
+    for (uint32_t i = 0; i + 1 < frame->buffers.grid->cols; i++) {
+        const corner *p[4];
+        find_corners(frame, l, i, j, &walk, p);
+        if (!is_culled(p))
+            add_cell(&row, i, p);
+    }
+    l->rows[j] = row;
+}
+
+/* -- swash and projection ------------------------------------------------------------ */
 
 #define MAPPED TP_FX(0.1)       /* slope of beaches on a map */
 
@@ -170,19 +209,19 @@ static tp_fx find_culling_depth(const tp_frame *frame)
 static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box)
 {
     const tp_grid *grid = frame->buffers.grid;
-    const tp_fx deepest = find_culling_depth(frame);
     land *l = mine;
 
+    l->culling_depth = find_culling_depth(frame);
     l->seen = view->picture && grid && frame->surface.coastal;
     if (l->seen) {
         set_swash(frame, &l->look);
         *box = TP_BOX_ALL;
     }
     for (uint32_t j = 0; l->seen && j < grid->rows; j++) {
-        for (uint32_t i = 0; i < grid->cols; i++)
-            place_corner(frame, l, i, j, deepest);
+        for (uint32_t i = 0; l->at && i < grid->cols; i++)
+            place_corner(frame, i, j, l->culling_depth, &l->at[(size_t)j * grid->cols + i]);
         if (j > 0)
-            set_pixel_rows_of_cell_row(frame, l, j - 1);
+            set_cell_row(frame, l, j - 1);
     }
 }
 
@@ -222,14 +261,9 @@ static void draw_clipped(const tp_frame *frame, const tp_gbuffer *tile,
     tp_clipped_draw(&frame->projection, NULL, tile, in, mark, 0);
 }
 
-static void draw_cell(const tp_frame *frame, const land *l, const tp_gbuffer *tile,
-                      uint32_t i, uint32_t j, uint32_t mark)
+static void draw_cell(const tp_frame *frame, const corner *const all[4],
+                      const tp_gbuffer *tile, uint32_t i, uint32_t j, uint32_t mark)
 {
-    const corner *a = grid_vertex(frame, l, i, j);
-    const corner *b = a + 1, *d = a + frame->buffers.grid->cols, *c = d + 1;
-
-    const corner *const all[4] = { a, b, c, d };
-
     if (is_culled(all))
         return;
     if (needs_clipping(all)) {
@@ -241,10 +275,24 @@ static void draw_cell(const tp_frame *frame, const land *l, const tp_gbuffer *ti
     }
     if (is_beside_tile(all, tile))
         return;
-    tp_screen_vertex p[4] = { make_screen_vertex(a), make_screen_vertex(b),
-                              make_screen_vertex(c), make_screen_vertex(d) };
+    tp_screen_vertex p[4] = { make_screen_vertex(all[0]), make_screen_vertex(all[1]),
+                              make_screen_vertex(all[3]), make_screen_vertex(all[2]) };
     tp_tri_solid(tile, &p[0], &p[3], &p[2], mark, 0, 16);
     tp_tri_solid(tile, &p[0], &p[2], &p[1], mark, 0, 16);
+}
+
+static void draw_cell_row(const tp_frame *frame, const land *l, const tp_gbuffer *samples,
+                          uint32_t j, uint32_t mark)
+{
+    const cell_row row = l->rows[j];
+    cell_walk walk;
+
+    load_column(frame, l, row.first, j, &walk);
+    for (uint32_t i = row.first; i < row.end; i++) {
+        const corner *p[4];
+        find_corners(frame, l, i, j, &walk, p);
+        draw_cell(frame, p, samples, i, j, mark);
+    }
 }
 
 static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
@@ -258,8 +306,7 @@ static void draw(const tp_frame *frame, const void *mine, const tp_view *view,
     for (uint32_t j = 0; j + 1 < frame->buffers.grid->rows; j++) {
         if (l->rows[j].y0 >= samples->y1 || l->rows[j].y1 < samples->y0)
             continue;
-        for (uint32_t i = 0; i + 1 < frame->buffers.grid->cols; i++)
-            draw_cell(frame, l, samples, i, j, mark);
+        draw_cell_row(frame, l, samples, j, mark);
     }
 }
 
@@ -275,7 +322,8 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     const uint32_t vertices = tp_fan_budget(conditions->scene);
     land *l = tp_arena_alloc(arena, 1, sizeof *l), made = { .seen = false };
 
-    made.at = tp_arena_alloc(arena, vertices, sizeof *made.at);
+    made.at = conditions->streams ? NULL
+                                  : tp_arena_alloc(arena, vertices, sizeof *made.at);
     made.rows = tp_arena_alloc(arena, tp_fan_most_rows(vertices), sizeof *made.rows);
     if (l)
         *l = made;
