@@ -167,10 +167,12 @@ typedef struct tp_boat_outlines {
                  const tp_boat_faces *faces, const tp_boat_vertex *vertex,
                  const tp_grid_box *box, tp_gbuffer *tile, uint32_t mark);
     const tp_mesh *mesh;
-    uint32_t *neighbour;        /* of each face's three edges, or none */
+    uint16_t *neighbour;        /* of each face's three edges, or none */
     uint8_t  *edges;            /* of each face: bit k: edge k is an outline */
-    uint32_t *list;             /* lists of half-edges by vertex, at init only */
 } tp_boat_outlines;
+
+/* Returns a word for each vertex of the module boat's mesh, free until a view is placed. */
+uint32_t *tp_boat_words(void *boat);
 
 /* Data of the boat's span stages; first in tp_run.mine. */
 typedef struct {

@@ -242,6 +242,14 @@ static void make_gloss(tp_frame *frame, void *mine)
     }
 }
 
+uint32_t *tp_boat_words(void *boat)
+{
+    const drawn_boat *b = boat;
+    _Static_assert(sizeof *b->vertex >= sizeof(uint32_t), "a word for each vertex");
+
+    return (uint32_t *)(void *)b->vertex;
+}
+
 static void init_boat(tp_frame *frame, void *mine)
 {
     drawn_boat *b = mine;

@@ -8,7 +8,9 @@
 #include "frame/frame.h"
 #include "mesh/mesh.h"
 
-#define NONE UINT32_MAX
+#define NONE      UINT32_MAX
+#define NO_FACE   UINT16_MAX
+_Static_assert(TP_OUTLINE_FACES <= NO_FACE, "faces are numbered by 16 bits");
 
 /* Further bits of tp_boat_outlines.edges. */
 enum { FRONT = TP_BOAT_FRONT, CUT = TP_BOAT_CUT, CONCAVE = 32, STEP = TP_BOAT_STEP };
@@ -38,28 +40,53 @@ static uint32_t list_index(const tp_mesh *mesh, uint32_t i, bool by_place)
             ^ (uint32_t)p.z * 3266489917u) % mesh->n_vertices;
 }
 
-/* Joins half-edge e of face f to a waiting half-edge in the other direction, or adds it to
- * the waiting ones.  The slot of a waiting half-edge links to the next in its list. */
+/* The half-edge after a waiting half-edge in its list, or NONE: its face stands in the place
+ * of the neighbour, its corner in two bits of the face's edges. */
+static uint32_t next_waiting(const tp_boat_outlines *o, uint32_t e)
+{
+    const uint32_t f = o->neighbour[e];
+    return f == NO_FACE ? NONE : 3 * f + (o->edges[e / 3] >> 2 * (e % 3) & 3u);
+}
+
+static void set_next_waiting(const tp_boat_outlines *o, uint32_t e, uint32_t next)
+{
+    const uint32_t at = 2 * (e % 3);
+
+    o->neighbour[e] = next == NONE ? NO_FACE : (uint16_t)(next / 3);
+    o->edges[e / 3] = (uint8_t)((o->edges[e / 3] & ~(3u << at)) | next % 3 << at);
+}
+
+static bool are_opposite(const tp_mesh *mesh, uint32_t e, uint32_t g, bool by_place)
+{
+    const uint32_t a = corner(mesh, e / 3, e % 3), b = corner(mesh, e / 3, e % 3 + 1);
+    const uint32_t c = corner(mesh, g / 3, g % 3), d = corner(mesh, g / 3, g % 3 + 1);
+
+    return by_place ? is_same_place(mesh, c, b) && is_same_place(mesh, d, a)
+                    : c == b && d == a;
+}
+
+/* Joins half-edge e to a waiting half-edge in the other direction, or adds it to the
+ * waiting ones. */
 static void match(const tp_boat_outlines *o, uint32_t *list, uint32_t e, bool by_place)
 {
     const tp_mesh *mesh = o->mesh;
-    const uint32_t a = corner(mesh, e / 3, e % 3), b = corner(mesh, e / 3, e % 3 + 1);
-    uint32_t *link = &list[list_index(mesh, b, by_place)];
+    uint32_t *head = &list[list_index(mesh, corner(mesh, e / 3, e % 3 + 1), by_place)];
+    uint32_t before = NONE;
 
-    for (; *link != NONE; link = &o->neighbour[*link]) {
-        const uint32_t g = *link;
-        const uint32_t c = corner(mesh, g / 3, g % 3), d = corner(mesh, g / 3, g % 3 + 1);
-        if (by_place ? is_same_place(mesh, c, b) && is_same_place(mesh, d, a)
-                     : c == b && d == a) {
-            *link = o->neighbour[g];
-            o->neighbour[g] = e / 3;
-            o->neighbour[e] = g / 3;
-            return;
-        }
+    for (uint32_t g = *head; g != NONE; before = g, g = next_waiting(o, g)) {
+        if (!are_opposite(mesh, e, g, by_place))
+            continue;
+        if (before == NONE)
+            *head = next_waiting(o, g);
+        else
+            set_next_waiting(o, before, next_waiting(o, g));
+        o->neighbour[g] = (uint16_t)(e / 3);
+        o->neighbour[e] = (uint16_t)(g / 3);
+        return;
     }
-    link = &list[list_index(mesh, a, by_place)];
-    o->neighbour[e] = *link;
-    *link = e;
+    head = &list[list_index(mesh, corner(mesh, e / 3, e % 3), by_place)];
+    set_next_waiting(o, e, *head);
+    *head = e;
 }
 
 static void clear_list(uint32_t *list, uint32_t count)
@@ -72,8 +99,8 @@ static void end_lists(const tp_boat_outlines *o, const uint32_t *list)
 {
     for (uint32_t i = 0; i < o->mesh->n_vertices; i++)
         for (uint32_t e = list[i], next; e != NONE; e = next) {
-            next = o->neighbour[e];
-            o->neighbour[e] = NONE;
+            next = next_waiting(o, e);
+            o->neighbour[e] = NO_FACE;
         }
 }
 
@@ -90,14 +117,14 @@ static void find_neighbours(const tp_boat_outlines *o, uint32_t *list)
 
     clear_list(list, o->mesh->n_vertices);
     for (uint32_t e = 0; e < edges; e++) {
-        o->neighbour[e] = NONE;
+        o->neighbour[e] = NO_FACE;
         if (!is_lid(o->mesh, e / 3))
             match(o, list, e, false);
     }
     end_lists(o, list);
     clear_list(list, o->mesh->n_vertices);
     for (uint32_t e = 0; e < edges; e++)
-        if (o->neighbour[e] == NONE && !is_lid(o->mesh, e / 3))
+        if (o->neighbour[e] == NO_FACE && !is_lid(o->mesh, e / 3))
             match(o, list, e, true);
     end_lists(o, list);
 }
@@ -164,7 +191,7 @@ static int bend(const tp_boat_outlines *o, uint32_t f, uint32_t k)
 
 static bool has_neighbour(const tp_boat_outlines *o, uint32_t f, uint32_t k)
 {
-    return !is_lid(o->mesh, f) && o->neighbour[3 * f + k] != NONE;
+    return !is_lid(o->mesh, f) && o->neighbour[3 * f + k] != NO_FACE;
 }
 
 static void find_steps(const tp_boat_outlines *o)
@@ -213,11 +240,11 @@ static bool is_shallow_step(const tp_boat_outlines *o, const tp_boat_vertex *ver
 static uint8_t find_edges_of_face(const tp_boat_outlines *o, const tp_boat_vertex *vertex,
                                   uint32_t f, int shift)
 {
-    const uint32_t *neighbour = &o->neighbour[3 * (size_t)f];
+    const uint16_t *neighbour = &o->neighbour[3 * (size_t)f];
     uint8_t edges = 0;
 
     for (int k = 0; k < 3; k++)
-        if (neighbour[k] == NONE
+        if (neighbour[k] == NO_FACE
             || (!(o->edges[neighbour[k]] & (FRONT | CUT))
                 && !is_shallow_step(o, vertex, neighbour[k], shift)))
             edges |= (uint8_t)(1 << k);
@@ -319,7 +346,6 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
         .find = find_edges, .draw = draw_outline, .mesh = mesh,
         .neighbour = tp_arena_alloc(arena, mesh->n_faces, 3 * sizeof *made.neighbour),
         .edges = tp_arena_alloc(arena, mesh->n_faces, sizeof *made.edges),
-        .list = tp_arena_alloc(arena, mesh->n_vertices, sizeof *made.list),
     };
 
     if (o)
@@ -327,11 +353,26 @@ static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
     return o;
 }
 
+/* Returns the memory of the module boat, or NULL.  Modules are not on yet. */
+static void *find_boat(const tp_frame *frame)
+{
+    const tp_use *use = frame->program->modules;
+
+    for (uint32_t i = 0; use[i].module; i++)
+        if (use[i].module->id == TP_BOAT_ID)
+            return frame->buffers.module[i];
+    return NULL;
+}
+
+/* The lists of waiting half-edges take the memory of the projected vertices. */
 static void init(tp_frame *frame, void *mine)
 {
     const tp_boat_outlines *o = mine;
-    (void)frame;
-    find_neighbours(o, o->list);
+    void *const boat = find_boat(frame);
+
+    if (!boat)
+        return;
+    find_neighbours(o, tp_boat_words(boat));
     find_steps(o);
 }
 
