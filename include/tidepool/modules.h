@@ -301,7 +301,9 @@ typedef struct {
 #define TP_STAGES_OF_caustics(X)
 #define TP_STAGES_OF_mirror(X)      \
     X(mirrored) X(mirrored_fast)        /* objects, over the sky's mirror; by blocks */ \
-    X(quick_objects)        /* mirror: objects alone, by blocks */
+    X(quick_objects)        /* mirror: objects alone, by blocks */ \
+    /* the three of mirror.colours = rgb565 */ \
+    X(mirrored_packed) X(mirrored_packed_fast) X(quick_packed_objects)
 #define TP_STAGES_OF_object_cube(X) X(mirrored_object_cube) /* the same from a cube map */
 #define TP_STAGES_OF_refraction(X)
 #define TP_STAGES_OF_clear_water(X) \

@@ -244,6 +244,7 @@ typedef struct tp_scene {
     struct { tp_scene_map map; tp_fx bump; } ripple;    /* normal map; bump 1: as drawn */
     struct {
         int32_t method, size;               /* tp_mirror_kind, tp_mirror_size */
+        int32_t colours;                    /* tp_mirror_colours */
         tp_fx   distortion;
     } mirror;
     struct {                                /* the sides of the pool */
@@ -311,6 +312,7 @@ typedef enum { TP_EXPOSURE_FIXED, TP_EXPOSURE_AUTO } tp_exposure_mode;
 typedef enum { TP_FRESNEL_TABLE, TP_FRESNEL_SCHLICK } tp_fresnel_rule;
 typedef enum { TP_MIRROR_NONE, TP_MIRROR_STENCIL, TP_MIRROR_CUBE } tp_mirror_kind;
 typedef enum { TP_MIRROR_HALF, TP_MIRROR_QUARTER, TP_MIRROR_FULL } tp_mirror_size;
+typedef enum { TP_MIRROR_RGB888, TP_MIRROR_RGB565 } tp_mirror_colours;
 typedef enum { TP_TANK_NONE, TP_TANK_STONE, TP_TANK_GLASS } tp_tank_kind;
 
 typedef enum {

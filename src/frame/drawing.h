@@ -119,11 +119,13 @@ typedef struct {
     uint32_t *samples;          /* G-buffer of one band: four planes, cols wide */
     uint32_t  cols, rows;
     uint32_t  halvings;         /* of the picture's sides, as of a tp_planar_map */
+    bool      packed;           /* colours are rgb565, two in a word */
 } tp_planar_memory;
 
 /* Allocates the map's memory; pointers are NULL if the arena only counts. */
 void tp_planar_layout(tp_planar_memory *store, tp_arena *arena,
-                      const tp_module_conditions *conditions, uint32_t halvings);
+                      const tp_module_conditions *conditions, uint32_t halvings,
+                      bool packed);
 
 /* Sets *map to the part of the map covered by `box`.  Returns false if the part is
  * empty. */

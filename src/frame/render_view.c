@@ -95,15 +95,23 @@ void tp_view_draw_solids(const tp_frame *frame, const tp_view *view, tp_gbuffer 
 
 /* -- planar maps --------------------------------------------------------------------- */
 
+/* Returns the words of some pixels of the map. */
+static uint32_t count_words(const tp_planar_memory *store, uint32_t pixels)
+{
+    return store->packed ? (pixels + 1) / 2 : pixels;
+}
+
 void tp_planar_layout(tp_planar_memory *store, tp_arena *arena,
-                      const tp_module_conditions *conditions, uint32_t halvings)
+                      const tp_module_conditions *conditions, uint32_t halvings,
+                      bool packed)
 {
     TP_ASSERT(conditions->width >= 16 && conditions->height >= 16);
     store->halvings = halvings;
+    store->packed = packed;
     store->cols = (conditions->width + (1u << halvings) - 1) >> halvings;
     store->rows = (conditions->height + (1u << halvings) - 1) >> halvings;
-    store->colour = tp_arena_alloc(arena, (size_t)store->cols * store->rows,
-                                  sizeof *store->colour);
+    store->colour = tp_arena_alloc(arena, count_words(store, store->cols * store->rows),
+                                   sizeof *store->colour);
     store->samples = tp_arena_alloc(arena, (size_t)store->cols * TP_PLANAR_BAND,
                                     4 * sizeof *store->samples);
 }
@@ -142,9 +150,11 @@ tp_gbuffer tp_planar_tall_gbuffer(const tp_planar_memory *store, const tp_planar
                                   int32_t y0, uint32_t planes)
 {
     const uint32_t wide = (uint32_t)(map->x1 - map->x0), left = (uint32_t)(map->y1 - y0),
-                   used = wide * (uint32_t)(map->y1 - map->y0),
-                   past = (store->cols * store->rows - used) / (planes * wide),
-                   before = left / (planes + 1), most = past > before ? past : before,
+                   used = count_words(store, wide * (uint32_t)(map->y1 - map->y0)),
+                   all = count_words(store, store->cols * store->rows),
+                   past = (all - used) / (planes * wide),
+                   before = left / ((store->packed ? 2 * planes : planes) + 1),
+                   most = past > before ? past : before,
                    rows = most < left ? most : left;
     const size_t plane = (size_t)wide * rows;
     uint32_t *key = store->colour + (past > before ? used : 0);

@@ -24,9 +24,10 @@ typedef struct {
  *    light; glass, walls inside a pool, the caustics map (2 bytes a cell)
  *  - mirror: with mirror.method = stencil a map of half the picture's size and four rows
  *    of samples, 88320 bytes at 320x240; with mirror.size = quarter 24960, full 330240.
- *    88320 more for objects seen under water (water.clarity).  With mirror.method = cube
- *    24576 bytes at any size.  A boat with smooth outlines takes 10240 more, with quarter
- *    5120, full 20480.  Each mirror has up to 128 bytes of numbers besides. */
+ *    With mirror.colours = rgb565 the three take 49920, 15360 and 176640.  88320 more for
+ *    objects seen under water (water.clarity).  With mirror.method = cube 24576 bytes at
+ *    any size.  A boat with smooth outlines takes 10240 more, with quarter 5120, full
+ *    20480.  Each mirror has up to 128 bytes of numbers besides. */
 
 tp_ram_use tp_frame_ram(const tp_frame *frame);
 

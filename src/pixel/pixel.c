@@ -56,13 +56,6 @@ size_t tp_format_row_bytes(tp_format format, int width)
     return width <= 0 ? 0 : ((size_t)width * (size_t)tp_format_bits(format) + 7) / 8;
 }
 
-/* Repeats the high bits of each channel in its low bits: full intensity stays full. */
-static uint32_t expand_rgb565(uint32_t pixel)
-{
-    const uint32_t r = pixel >> 11, g = pixel >> 5 & 63, b = pixel & 31;
-    return (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
-}
-
 uint32_t tp_pixel_read(tp_format format, const void *row, int x)
 {
     TP_ASSERT(row != NULL && x >= 0);
@@ -71,9 +64,9 @@ uint32_t tp_pixel_read(tp_format format, const void *row, int x)
     case TP_FORMAT_XRGB8888:
         return ((const uint32_t *)row)[x] & 0xffffff;
     case TP_FORMAT_RGB565:
-        return expand_rgb565(((const uint16_t *)row)[x]);
+        return tp_rgb565_expand(((const uint16_t *)row)[x]);
     case TP_FORMAT_RGB565BE:
-        return expand_rgb565((uint32_t)bytes[2 * x] << 8 | bytes[2 * x + 1]);
+        return tp_rgb565_expand((uint32_t)bytes[2 * x] << 8 | bytes[2 * x + 1]);
     case TP_FORMAT_P8:
         return tp_palette[bytes[x]];
     case TP_FORMAT_L8:

@@ -41,6 +41,14 @@ TP_ALWAYS_INLINE uint32_t tp_rgb565(uint32_t colour)
     return (red_blue >> 16 & 0xf800) | (green >> 5 & 0x7e0) | (red_blue >> 11 & 0x1f);
 }
 
+/* Returns a pixel as 0x00RRGGBB.  Repeats the high bits of each channel in its low bits: full
+ * intensity stays full. */
+TP_ALWAYS_INLINE uint32_t tp_rgb565_expand(uint32_t pixel)
+{
+    const uint32_t r = pixel >> 11, g = pixel >> 5 & 63, b = pixel & 31;
+    return (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
+}
+
 /* Constants of tp_rgb565_pack_pair, kept in registers during a loop. */
 typedef struct {
     uint32_t rb_scale, rb_half, g_scale, g_half, red, green, blue;

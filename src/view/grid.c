@@ -83,6 +83,7 @@ static void forget_rows(tp_grid_window *window)
 
 tp_grid_window tp_grid_window_init(const tp_grid *grid, void *memory)
 {
+    TP_ASSERT(!grid->streams || memory != NULL);
     tp_grid_window window = { .memory = memory };
     const uint32_t cols = grid->most_cols;
 

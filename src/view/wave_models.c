@@ -70,6 +70,7 @@ static void displace_columns(const tp_grid *grid, const tp_grid_window *window,
 static void displace_row(const tp_grid *grid, tp_grid_window *window, uint32_t j,
                          tp_grid_span columns)
 {
+    TP_ASSERT(columns.first <= columns.end && columns.end <= grid->cols);
     tp_grid_sheet *sheet = &window->sheet[j % 3];
     tp_grid_span *done = &sheet->done;
 

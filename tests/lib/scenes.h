@@ -322,6 +322,7 @@ static inline void kit_switch_on(tp_scene *s, uint64_t *state)
     s->water.specular = chance_int(state, 0, 2) * TP_FX_ONE;
     s->mirror.method = chance_int(state, TP_MIRROR_NONE, TP_MIRROR_CUBE);
     s->mirror.size = chance_int(state, TP_MIRROR_HALF, TP_MIRROR_FULL);
+    s->mirror.colours = s->water.reflection % 2 ? TP_MIRROR_RGB565 : TP_MIRROR_RGB888;
     s->tank.kind = chance_int(state, TP_TANK_NONE, TP_TANK_GLASS);
     s->foam.cells = chance_int(state, 1, 40);
     s->spray.count = chance_int(state, 1, 60);

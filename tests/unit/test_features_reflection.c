@@ -223,6 +223,69 @@ static void fast_lists_get_the_objects_of_exact_ones(void **state)
     assert_true(found > 1000);
 }
 
+/* Draws the same run by two stages; returns the number of samples that the first changed. */
+static uint32_t compare_stages(const tp_shade *s, const tp_planar_map map[2], tp_stage plain,
+                               tp_stage packed, bool alone)
+{
+    test_run r;
+    uint32_t changed = 0;
+
+    run_any(&r, 600, &chance);
+    r.run.x = TP_RUN * chance_int(&chance, 0, 6);
+    for (int i = 0; i < TP_RUN; i++) {
+        r.key[i] = (uint32_t)(2147483648.0 / chance_double(&chance, 3, 12)) << 1;
+        r.run.sx[i] = (int16_t)(r.n[i] >> 16);
+        r.run.sz[i] = (int16_t)r.n[i];
+        r.run.mirror[i] = 0x123456;
+        if (alone)                              /* takes the place of sx, sz */
+            r.run.slope[i] = r.n[i];
+    }
+    tp_run run[2] = { r.run, r.run };
+    for (int k = 0; k < 2; k++) {
+        mirror.map = map[k];
+        run[k].mine = &mirror;
+        (k ? packed : plain)(s, &run[k]);
+    }
+    for (int i = 0; i < r.run.count; i++) {
+        const bool named = !alone || run[0].objects >> tp_block_number(&run[0], i) & 1;
+        if (named)
+            assert_int_equal(run[0].mirror[i], run[1].mirror[i]);
+        changed += named && (run[0].mirror[i] & 0xffffff) != 0x123456;
+    }
+    if (alone)
+        assert_int_equal(run[0].objects, run[1].objects);
+    return changed;
+}
+
+/* A map of rgb565 is sampled as a map of the colours that its pixels stand for. */
+static void packed_maps_are_sampled_as_their_colours(void **state)
+{
+    (void)state;
+    static uint16_t pixel[SIDE * SIDE];
+    static uint32_t colour[SIDE * SIDE];
+    uint32_t changed[3] = { 0, 0, 0 };
+
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        pixel[i] = random_below(&chance, 3) ? (uint16_t)random_next(&chance) : 0;
+        colour[i] = pixel[i] ? tp_pixel_read(TP_FORMAT_RGB565, pixel, i) | 0xff000000u : 0;
+    }
+    for (int n = 0; n < 1000; n++) {
+        const tp_shade s = any_mirror(n % 3, 12, chance_double(&chance, 0.3, 6));
+        const tp_planar_map map[2] = {
+            { colour, 0, 0, SIDE, SIDE, n % 3 },
+            { (const uint32_t *)(const void *)pixel, 0, 0, SIDE, SIDE, n % 3 },
+        };
+        changed[0] += compare_stages(&s, map, tp_stage_mirrored, tp_stage_mirrored_packed,
+                                     false);
+        changed[1] += compare_stages(&s, map, tp_stage_mirrored_fast,
+                                     tp_stage_mirrored_packed_fast, false);
+        changed[2] += compare_stages(&s, map, tp_stage_quick_objects,
+                                     tp_stage_quick_packed_objects, true);
+    }
+    for (int k = 0; k < 3; k++)
+        assert_true(changed[k] > 1000);
+}
+
 /* Water beyond the object, or no reflection map: the sky colour stays. */
 static void water_behind_an_object_mirrors_none_of_it(void **state)
 {
@@ -359,6 +422,7 @@ int main(void)
         cmocka_unit_test(the_look_is_bent_as_the_ray_is),
         cmocka_unit_test(blocks_bend_as_their_middle),
         cmocka_unit_test(fast_lists_get_the_objects_of_exact_ones),
+        cmocka_unit_test(packed_maps_are_sampled_as_their_colours),
         cmocka_unit_test(water_behind_an_object_mirrors_none_of_it),
         cmocka_unit_test(the_cube_is_met_in_the_objects_plane),
     };

@@ -224,6 +224,54 @@ static void a_larger_map_lies_nearer_to_double_rays(void **state)
     assert_true(10 * wrong[TP_MIRROR_FULL] < wrong[TP_MIRROR_HALF]);
 }
 
+/* Returns the largest difference of a channel; the pixels that differ at all are added to
+ * *count. */
+static int difference(const uint32_t *a, const uint32_t *b, uint32_t *count)
+{
+    int most = 0;
+
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
+        *count += a[i] != b[i];
+        for (int shift = 0; shift < 24; shift += 8) {
+            const int off = abs((int)(a[i] >> shift & 255) - (int)(b[i] >> shift & 255));
+            most = off > most ? off : most;
+        }
+    }
+    return most;
+}
+
+/* Draws the scene at tick 0. */
+static void draw(const tp_scene *scene, uint32_t *picture)
+{
+    const tp_config config = { .width = WIDTH, .height = HEIGHT };
+    test_frame f = frame_of(scene, assets_of_boat(), &config);
+    tp_world *world = scene_world(scene, assets_of_boat());
+
+    frame_draw_picture(&f, world, picture);
+    free(world);
+    frame_free(&f);
+}
+
+/* Without smooth outlines the colours are off by half a level of red, 255 / 62, and their
+ * rounding; the mirror shows no more and no less. */
+static void packed_colours_are_off_by_half_a_level(void **state)
+{
+    (void)state;
+    static uint32_t picture[2][WIDTH * HEIGHT];
+    uint32_t differ = 0;
+
+    for (int n = 0; n < 24; n++) {
+        tp_scene s = calm_scene(chance_double(&chance, 0, 0.45));
+        s.boat.edges = TP_EDGES_PLAIN;
+        s.mirror.size = n % 3;
+        draw(&s, picture[0]);
+        s.mirror.colours = TP_MIRROR_RGB565;
+        draw(&s, picture[1]);
+        assert_true(difference(picture[0], picture[1], &differ) <= 6);
+    }
+    assert_true(differ > 1000);
+}
+
 static void odd_sizes_have_their_mirror_in_place(void **state)
 {
     (void)state;
@@ -474,24 +522,27 @@ static void mirrors_cost_the_bytes_that_are_told(void **state)
     tp_scene s = scene_plain();
     static const struct {
         int32_t method, size, edges;
-        size_t  bytes;
+        size_t  bytes, packed;
     } of[] = {
-        { TP_MIRROR_NONE, TP_MIRROR_FULL, TP_EDGES_PLAIN, 0 },
-        { TP_MIRROR_CUBE, TP_MIRROR_FULL, TP_EDGES_PLAIN, 24576 },
-        { TP_MIRROR_STENCIL, TP_MIRROR_HALF, TP_EDGES_PLAIN, 88320 },
-        { TP_MIRROR_STENCIL, TP_MIRROR_HALF, TP_EDGES_SMOOTH, 88320 + 10240 },
-        { TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, TP_EDGES_PLAIN, 24960 },
-        { TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, TP_EDGES_SMOOTH, 24960 + 5120 },
-        { TP_MIRROR_STENCIL, TP_MIRROR_FULL, TP_EDGES_PLAIN, 330240 },
-        { TP_MIRROR_STENCIL, TP_MIRROR_FULL, TP_EDGES_SMOOTH, 330240 + 20480 },
+        { TP_MIRROR_NONE, TP_MIRROR_FULL, TP_EDGES_PLAIN, 0, 0 },
+        { TP_MIRROR_CUBE, TP_MIRROR_FULL, TP_EDGES_PLAIN, 24576, 24576 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_HALF, TP_EDGES_PLAIN, 88320, 49920 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_HALF, TP_EDGES_SMOOTH, 88320 + 10240, 49920 + 10240 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, TP_EDGES_PLAIN, 24960, 15360 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_QUARTER, TP_EDGES_SMOOTH, 24960 + 5120, 15360 + 5120 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_FULL, TP_EDGES_PLAIN, 330240, 176640 },
+        { TP_MIRROR_STENCIL, TP_MIRROR_FULL, TP_EDGES_SMOOTH, 330240 + 20480, 176640 + 20480 },
     };
 
-    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
-        s.mirror.method = of[i].method;
-        s.mirror.size = of[i].size;
-        s.boat.edges = of[i].edges;
+    for (size_t i = 0; i < 2 * sizeof of / sizeof of[0]; i++) {
+        const bool packed = i % 2;
+        s.mirror.method = of[i / 2].method;
+        s.mirror.size = of[i / 2].size;
+        s.mirror.colours = packed ? TP_MIRROR_RGB565 : TP_MIRROR_RGB888;
+        s.boat.edges = of[i / 2].edges;
         test_frame f = begun(&s, 320, 240);
-        const size_t got = tp_frame_ram(f.frame).mirror, want = of[i].bytes;
+        const size_t got = tp_frame_ram(f.frame).mirror;
+        const size_t want = packed ? of[i / 2].packed : of[i / 2].bytes;
         assert_true(got >= want && got <= want + (want ? 128 : 0));
         frame_free(&f);
     }
@@ -501,6 +552,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_lie_near_a_double_ray),
+        cmocka_unit_test(packed_colours_are_off_by_half_a_level),
         cmocka_unit_test(odd_sizes_have_their_mirror_in_place),
         cmocka_unit_test(what_lies_below_the_level_is_not_mirrored),
         cmocka_unit_test(an_eye_under_water_sees_neither),

@@ -130,19 +130,6 @@ static void streamed_rows_draw_the_same(void **state)
     assert_true(by_rows > 5);
 }
 
-static void coastal_water_is_kept(void **state)
-{
-    (void)state;
-    const tp_config config = {
-        .width = WIDTH, .height = HEIGHT, .tile_height = HEIGHT, .format = TP_FORMAT_P8
-    };
-    const tp_config by = config_with(&config, &streamed, NULL);
-    tp_scene scene = scene_plain();
-
-    scene.floor.depth = 4 * TP_FX_ONE;
-    assert_int_equal(tp_frame_bytes(&by, &scene), tp_frame_bytes(&config, &scene));
-}
-
 static void waves_beyond_those_at_init_are_left_out(void **state)
 {
     (void)state;
@@ -244,7 +231,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(streamed_crossings_draw_the_same),
         cmocka_unit_test(streamed_rows_draw_the_same),
-        cmocka_unit_test(coastal_water_is_kept),
         cmocka_unit_test(waves_beyond_those_at_init_are_left_out),
         cmocka_unit_test(mirrors_of_every_size_show_the_same),
     };

@@ -69,6 +69,7 @@ static tp_scene busy_scene(tp_world *world)
     s.water.filter = chance_int(&chance, 0, 1);
     s.mirror.method = chance_int(&chance, TP_MIRROR_NONE, TP_MIRROR_CUBE);
     s.mirror.size = chance_int(&chance, TP_MIRROR_HALF, TP_MIRROR_FULL);
+    s.mirror.colours = s.camera.x % 2 ? TP_MIRROR_RGB565 : TP_MIRROR_RGB888;
     s.water.clarity = chance_int(&chance, 0, 1) * TP_FX_ONE;
     s.layer[0].map.size = 3 * TP_FX_ONE;
     s.boat.length = 4 * TP_FX_ONE;

@@ -82,6 +82,8 @@ static const struct {
     { "mirror.size", "half", TP_MIRROR_HALF },
     { "mirror.size", "quarter", TP_MIRROR_QUARTER },
     { "mirror.size", "full", TP_MIRROR_FULL },
+    { "mirror.colours", "rgb888", TP_MIRROR_RGB888 },
+    { "mirror.colours", "rgb565", TP_MIRROR_RGB565 },
     { "pool.cell_bits", "8", TP_CELLS_8 },
     { "pool.cell_bits", "16", TP_CELLS_16 },
     { "pool.cell_bits", "32", TP_CELLS_32 },

@@ -50,6 +50,7 @@ static uint32_t next_waiting(const tp_boat_outlines *o, uint32_t e)
 
 static void set_next_waiting(const tp_boat_outlines *o, uint32_t e, uint32_t next)
 {
+    TP_ASSERT(next == NONE || next / 3 < o->mesh->n_faces);
     const uint32_t at = 2 * (e % 3);
 
     o->neighbour[e] = next == NONE ? NO_FACE : (uint16_t)(next / 3);

@@ -287,6 +287,7 @@ static void draw_cell_row(const tp_frame *frame, const land *l, const tp_gbuffer
     const cell_row row = l->rows[j];
     cell_walk walk;
 
+    TP_ASSERT(row.first < row.end && row.end < frame->buffers.grid->cols);
     load_column(frame, l, row.first, j, &walk);
     for (uint32_t i = row.first; i < row.end; i++) {
         const corner *p[4];

@@ -118,7 +118,7 @@ TP_ALWAYS_INLINE uint32_t slope_pair(const tp_run *run, int32_t i, int packed)
 }
 
 TP_ALWAYS_INLINE uint32_t sample_object(const tp_planar_map *map, const block_shift *shift,
-                                        int32_t x, int32_t y, uint32_t slope)
+                                        int32_t x, int32_t y, uint32_t slope, int rgb565)
 {
     const int32_t du = shift->u + (tp_smuad(shift->by_u, slope) >> (12 - shift->down));
     const int32_t u = tp_planar_map_position(map, 16 * x + 8 + du);
@@ -126,14 +126,14 @@ TP_ALWAYS_INLINE uint32_t sample_object(const tp_planar_map *map, const block_sh
     if (tp_planar_map_misses_column(map, u))
         return 0;
     const int32_t dv = shift->v + (tp_smuad(shift->by_v, slope) >> (12 - shift->down));
-    return tp_planar_map_sample(map, u, tp_planar_map_position(map, 16 * y + 8 + dv));
+    return tp_mirror_sample(map, u, tp_planar_map_position(map, 16 * y + 8 + dv), rgb565);
 }
 
 /* Finds the objects in samples [i, stop) of a block, one for two columns unless a pixel of
  * the map is as narrow as a column.  Returns false if there are none. */
 TP_ALWAYS_INLINE bool find_objects(const tp_shade *shade, const tp_mirror *look,
                                    const tp_run *run, int32_t i, int32_t stop, int packed,
-                                   uint32_t *to)
+                                   int rgb565, uint32_t *to)
 {
     block_shift shift;
     uint32_t any = 0;
@@ -145,7 +145,7 @@ TP_ALWAYS_INLINE bool find_objects(const tp_shade *shade, const tp_mirror *look,
     while (i < stop) {
         const int32_t next = i + 1 + (odd & ~(run->x + i));
         const uint32_t seen = sample_object(&look->map, &shift, run->x + i, run->y,
-                                            slope_pair(run, i, packed));
+                                            slope_pair(run, i, packed), rgb565);
         any |= seen;
         for (; i < next && i < stop; i++)
             *to++ = seen;
@@ -153,14 +153,14 @@ TP_ALWAYS_INLINE bool find_objects(const tp_shade *shade, const tp_mirror *look,
     return any != 0;
 }
 
-void tp_stage_mirrored_fast(const tp_shade *shade, tp_run *run)
+TP_ALWAYS_INLINE void mirror_blocks(const tp_shade *shade, tp_run *run, int rgb565)
 {
     const tp_mirror *look = run->mine;
     uint32_t seen[16];
 
     for (int32_t i = 0, stop; look->map.colour && i < run->count; i = stop) {
         stop = tp_block_end(run, i);
-        if (!find_objects(shade, look, run, i, stop, 0, seen))
+        if (!find_objects(shade, look, run, i, stop, 0, rgb565, seen))
             continue;
         for (int32_t k = i; k < stop; k++)
             if (seen[k - i])
@@ -168,14 +168,34 @@ void tp_stage_mirrored_fast(const tp_shade *shade, tp_run *run)
     }
 }
 
-void tp_stage_quick_objects(const tp_shade *shade, tp_run *run)
+void tp_stage_mirrored_fast(const tp_shade *shade, tp_run *run)
+{
+    mirror_blocks(shade, run, 0);
+}
+
+void tp_stage_mirrored_packed_fast(const tp_shade *shade, tp_run *run)
+{
+    mirror_blocks(shade, run, 1);
+}
+
+TP_ALWAYS_INLINE void find_objects_alone(const tp_shade *shade, tp_run *run, int rgb565)
 {
     const tp_mirror *look = run->mine;
 
     run->objects = 0;
     for (int32_t i = 0, stop; look->map.colour && i < run->count; i = stop) {
         stop = tp_block_end(run, i);
-        if (find_objects(shade, look, run, i, stop, 1, run->mirror + i))
+        if (find_objects(shade, look, run, i, stop, 1, rgb565, run->mirror + i))
             run->objects |= 1u << tp_block_number(run, i);
     }
+}
+
+void tp_stage_quick_objects(const tp_shade *shade, tp_run *run)
+{
+    find_objects_alone(shade, run, 0);
+}
+
+void tp_stage_quick_packed_objects(const tp_shade *shade, tp_run *run)
+{
+    find_objects_alone(shade, run, 1);
 }

@@ -12,6 +12,7 @@
  */
 #ifndef TP_FEATURES_REFLECTION_REFLECTION_H
 #define TP_FEATURES_REFLECTION_REFLECTION_H
+#include "pixel/pixel.h"
 #include "shade/shade.h"
 #include "tidepool/fixed.h"
 #include "tidepool/modules.h"
@@ -76,6 +77,45 @@ TP_ALWAYS_INLINE bool tp_mirror_find_object(const tp_mirror *look, int32_t x,
     return *ratio <= 65536;
 }
 
+/* A pixel of a map of mirror.colours = rgb565: 0 where no object is, else its colour. */
+TP_ALWAYS_INLINE uint32_t tp_mirror_unpack(uint32_t pixel)
+{
+    return pixel ? tp_rgb565_expand(pixel) | 0xff000000u : 0;
+}
+
+static inline uint32_t tp_mirror_packed_pixel(const tp_planar_map *map, int32_t i, int32_t j)
+{
+    const uint16_t *const pixels = (const uint16_t *)(const void *)map->colour;
+
+    if (i < map->x0 || i >= map->x1 || j < map->y0 || j >= map->y1)
+        return 0;
+    return pixels[(size_t)(uint32_t)(j - map->y0) * (uint32_t)(map->x1 - map->x0)
+                  + (uint32_t)(i - map->x0)];
+}
+
+/* As tp_planar_map_sample, of such a map. */
+static inline uint32_t tp_mirror_sample_packed(const tp_planar_map *map, int32_t u, int32_t v)
+{
+    const int32_t i = (u - 16) >> 5, j = (v - 16) >> 5;
+    const uint32_t a = tp_mirror_packed_pixel(map, i, j),
+                   b = tp_mirror_packed_pixel(map, i + 1, j),
+                   c = tp_mirror_packed_pixel(map, i, j + 1),
+                   d = tp_mirror_packed_pixel(map, i + 1, j + 1);
+
+    if (((a ^ b) | (a ^ c) | (a ^ d)) == 0)
+        return tp_mirror_unpack(a);
+    return tp_planar_map_mix(tp_mirror_unpack(a), tp_mirror_unpack(b), tp_mirror_unpack(c),
+                             tp_mirror_unpack(d), (uint32_t)(u - 16) & 31,
+                             (uint32_t)(v - 16) & 31);
+}
+
+/* Samples the map; `packed`: mirror.colours = rgb565. */
+TP_ALWAYS_INLINE uint32_t tp_mirror_sample(const tp_planar_map *map, int32_t u, int32_t v,
+                                           int packed)
+{
+    return packed ? tp_mirror_sample_packed(map, u, v) : tp_planar_map_sample(map, u, v);
+}
+
 #define TP_OBJECT_CUBE_ID TP_MODULE_ID('c', 'u', 'b', 'e')
 
 #define TP_OBJECT_CUBE_SIDE  32
@@ -96,6 +136,9 @@ typedef struct {
     TP_ROW_CHOICE("mirror.size", mirror.size, "half|quarter|full", \
         TP_MIRROR_FULL, TP_MIRROR_HALF, \
         "side of the stencil's image; full takes 4 times the bytes of half"), \
+    TP_ROW_CHOICE("mirror.colours", mirror.colours, "rgb888|rgb565", \
+        TP_MIRROR_RGB565, TP_MIRROR_RGB888, \
+        "colours of the stencil's image; rgb565 takes half the bytes"), \
     TP_ROW_NUMBER("mirror.distortion", mirror.distortion, "", 0, 4, 1, \
         "strength with which waves distort the mirrored image")
 

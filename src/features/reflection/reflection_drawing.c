@@ -6,6 +6,7 @@
 #include "features/reflection/reflection.h"
 #include "frame/drawing.h"
 #include "frame/frame.h"
+#include "pixel/pixel.h"
 #include "quality/prices.h"
 #include "tidepool/modules.h"
 
@@ -120,9 +121,45 @@ static tp_gbuffer begin_band(const tp_frame *frame, const mirror *m, int32_t y0)
     return band;
 }
 
+/* Packs a colour premultiplied by its alpha as tp_mirror_unpack reads it: an object that
+ * covers half the pixel or more has its whole colour. */
+static uint16_t pack_colour(uint32_t colour)
+{
+    const uint32_t alpha = colour >> 24;
+    uint32_t whole = colour;
+
+    if (alpha < 128)
+        return 0;
+    for (int shift = 0; alpha < 255 && shift < 24; shift += 8) {
+        const uint32_t channel = (colour >> shift & 255) * 255 / alpha;
+        whole = (whole & ~(255u << shift)) | (channel < 255 ? channel : 255) << shift;
+    }
+    const uint32_t pixel = tp_rgb565(whole);
+    return pixel ? (uint16_t)pixel : 1;
+}
+
+/* Colours row y of a band into the map.  Packed colours take the place of the row's normals
+ * before, which the shading has used. */
+static void colour_row(const tp_frame *frame, const mirror *m, const tp_gbuffer *band,
+                       int32_t y)
+{
+    TP_ASSERT(band->y0 <= y && y < band->y1 && y < m->look.map.y1);
+    const uint32_t wide = (uint32_t)(band->x1 - band->x0);
+    const uint32_t at = (uint32_t)(m->look.map.y1 - 1 - y) * wide;
+
+    if (!m->store.packed) {
+        tp_frame_colour_row(frame, band, y, m->store.colour + at);
+        return;
+    }
+    uint32_t *row = band->n + (size_t)(uint32_t)(y - band->y0) * band->stride;
+    uint16_t *to = (uint16_t *)(void *)m->store.colour + at;
+    tp_frame_colour_row(frame, band, y, row);
+    for (uint32_t i = 0; i < wide; i++)
+        to[i] = pack_colour(row[i]);
+}
+
 static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
 {
-    const tp_planar_memory *store = &m->store;
     const tp_planar_map *map = &m->look.map;
     uint32_t wide = (uint32_t)(map->x1 - map->x0);
 
@@ -131,8 +168,7 @@ static void draw_mirror(tp_frame *frame, mirror *m, const tp_view *view)
         tp_gbuffer band = begin_band(frame, m, y0);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
-            tp_frame_colour_row(frame, &band, y,
-                                store->colour + (uint32_t)(map->y1 - 1 - y) * wide);
+            colour_row(frame, m, &band, y);
             update_column_depths(m->zi, &band, y);
         }
         y0 = band.y1;
@@ -178,7 +214,8 @@ static void *layout_mirror(tp_arena *arena, const tp_module_conditions *conditio
 
     tp_planar_layout(&made.store, arena, conditions,
                      tp_mirror_halvings(conditions->scene, conditions->width,
-                                        conditions->height));
+                                        conditions->height),
+                     conditions->scene->mirror.colours == TP_MIRROR_RGB565);
     made.outlined = has_outlines(conditions->scene);
     if (made.outlined)          /* right behind the band's samples */
         tp_arena_alloc(arena, (size_t)made.store.cols * TP_PLANAR_BAND,
@@ -195,14 +232,16 @@ const tp_module tp_mirror_module = {
 };
 
 /* Indices in the program's table of stages. */
-enum { EXACT, BY_BLOCKS, FAST };
+enum { EXACT, BY_BLOCKS, FAST, PACKED };
 
 /* Adds the stage.  Water without a reflected sky does not reflect objects either. */
 static void add_mirror_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
                              tp_shaders *list)
 {
     const bool blocks = frame->scene->quality.objects == TP_RUNG_FAST;
+    const mirror *m = mine;
 
+    stage += m->store.packed ? PACKED : 0;
     if (list->kind == TP_LIST_FAST)
         tp_shaders_add(list, TP_AT_OBJECTS, stage[FAST], mine);
     else if (tp_shaders_has(list, TP_AT_REFLECT))

@@ -124,7 +124,7 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
                                                   const tp_mirror_push *a,
                                                   const tp_mirror_push *step,
                                                   int32_t x, uint32_t key, int32_t sx,
-                                                  int32_t sz)
+                                                  int32_t sz, int packed)
 {
     const tp_planar_map *map = &look->map;
     int32_t k = x & 15, ratio;
@@ -146,12 +146,12 @@ TP_ALWAYS_INLINE uint32_t sample_reflected_object(const tp_mirror *look, int32_t
     int32_t dv = pixel_displacement(interpolate_in_block(a->xv, step->xv, k), sx,
                                     interpolate_in_block(a->zv, step->zv, k), sz, share,
                                     interpolate_in_block(a->hv, step->hv, k), h);
-    return tp_planar_map_sample(map, u, tp_planar_map_position(map, 16 * y + 8 + dv));
+    return tp_mirror_sample(map, u, tp_planar_map_position(map, 16 * y + 8 + dv), packed);
 }
 
 #include "features/reflection/reflection_wide.h"
 
-void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
+TP_ALWAYS_INLINE void mirror_run(const tp_shade *shade, tp_run *run, int packed)
 {
     int32_t x = run->x, end = run->x + run->count;
 
@@ -164,19 +164,30 @@ void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
         int32_t next = (x & ~15) + 16, stop = next < end ? next : end;
         tp_mirror_push b = tp_mirror_push_make(shade, next, run->y),
              step = push_change_per_block(&a, &b);
-        if (TP_WIDE && look->height >= 0 && look->height <= UINT32_MAX) {
+        if (TP_WIDE && !packed && look->height >= 0 && look->height <= UINT32_MAX) {
             mirror_columns_wide(look, run, &a, &step, i, stop - x);
             i += stop - x;
             x = stop;
         }
         for (; x < stop; x++, i++) {
             uint32_t top = sample_reflected_object(look, run->y, &a, &step, x,
-                                                   run->key[i], run->sx[i], run->sz[i]);
+                                                   run->key[i], run->sx[i], run->sz[i],
+                                                   packed);
             if (top)
                 run->mirror[i] = tp_colour_composite(run->mirror[i], top);
         }
         a = b;
     }
+}
+
+void tp_stage_mirrored(const tp_shade *shade, tp_run *run)
+{
+    mirror_run(shade, run, 0);
+}
+
+void tp_stage_mirrored_packed(const tp_shade *shade, tp_run *run)
+{
+    mirror_run(shade, run, 1);
 }
 
 const tp_stage tp_mirror_stages[] = {

@@ -388,7 +388,7 @@ static void *layout_refraction(tp_arena *arena, const tp_module_conditions *cond
 {
     refraction *r = tp_arena_alloc(arena, 1, sizeof *r), made = { .map.colour = NULL };
 
-    tp_planar_layout(&made.store, arena, conditions, 1);
+    tp_planar_layout(&made.store, arena, conditions, 1, false);
     if (r)
         *r = made;
     return r;
