@@ -90,6 +90,35 @@ typedef struct {
     const uint16_t *sample;     /* 0 black, 65535 white */
 } tp_grey;
 
+/* -- tables -------------------------------------------------------------------------- */
+
+/* Tables that a frame makes from numbers of its scene and camera: name, how many numbers,
+ * type of the entries. */
+#define TP_TABLE_LIST(X) \
+    X(gradient, 2, uint32_t)    /* the sky between its two colours */ \
+    X(shine, 3, tp_entry16)     /* the water's specular lobe */ \
+    X(tones, 1, tp_entry8)      /* an exposure's tone curves */ \
+    X(dome, 5, uint32_t)        /* a generated sky */ \
+    X(light, 19, uint32_t)      /* fast water: Fresnel's share, lobes, mirrored skies */ \
+    X(ripples, 2, uint32_t)     /* slope variance of the ripples' mipmap levels */
+
+typedef enum {
+#define X(name, numbers, type) TP_TABLE_##name,
+    TP_TABLE_LIST(X)
+#undef X
+    TP_TABLE_COUNT
+} tp_table_id;
+
+/* A table as a constant, written by `tidepool bake`.  entries NULL: not baked. */
+typedef struct {
+    const void    *entries;
+    const int32_t *made_of;     /* the numbers */
+} tp_table;
+
+typedef struct {
+    tp_table table[TP_TABLE_COUNT];
+} tp_tables;
+
 /* -- the assets of a scene ----------------------------------------------------------- */
 
 /* The pictures and meshes of a scene, loaded by the application; NULL if not named. */
@@ -104,6 +133,9 @@ typedef struct tp_assets {
     const tp_texture *sky[TP_FACES], *tank_wall, *tank_floor, *floor_texture;
     const tp_grey    *floor;            /* scene.floor.map */
     const tp_grey    *pool_mask, *field_mask;   /* scene.pool.mask, scene.field.mask */
+    /* A frame keeps no RAM for a baked table.  If its numbers are not those of the table,
+     * it draws by the table all the same, and counts it as dropped.  NULL: none. */
+    const tp_tables  *tables;
 } tp_assets;
 
 TP_END_C

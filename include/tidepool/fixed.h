@@ -54,6 +54,15 @@ tp_turn tp_atan2(int32_t y, int32_t x); /* any format; error < 2^-18 turn; (0,0)
  * degree. */
 tp_turn tp_turn_of_degrees(tp_fx degrees);
 
+/* Entries of small tables.  On x86-64 an entry takes a word, because vector units gather
+ * only words: 6 KB more per view there, none elsewhere. */
+#if defined(__x86_64__)
+typedef uint32_t tp_entry8, tp_entry16;
+#else
+typedef uint8_t  tp_entry8;
+typedef uint16_t tp_entry16;
+#endif
+
 typedef struct { tp_fx  x, y, z; } tp_vec3;     /* metres unless a name says otherwise */
 typedef struct { tp_q30 x, y, z; } tp_dir3;     /* unit vector */
 typedef struct { tp_dir3 x, y, z; } tp_rotation;/* rows: world to local; orthonormal */

@@ -111,6 +111,8 @@ extern const struct tp_water_swells tp_water_few_swells;
     X(flat_roll)        /* flat for cameras that roll */ \
     X(horizon)          /* colours around the horizon, for quality.haze */ \
     X(tone_rgb565) X(tone_rgb565be)     /* tone mapping and store at once */ \
+    /* the makers of tables that are not baked, TP_TABLE_LIST: */ \
+    X(shine) X(tones) X(dome) X(light) X(ripple_sums) \
     X(baking)           /* fast water's textures, if the assets have none */ \
     X(cube_map)         /* fast water's map of a cube sky */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \

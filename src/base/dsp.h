@@ -341,21 +341,12 @@ TP_ALWAYS_INLINE int32_t tp_usat(int32_t x, int shift, int bits)
 
 /* TP_WIDE selects between two forms of some loops: for processors with eight-lane vectors
  * and for all others.  If TP_WIDE is 1, selects are cheaper than branches, and two small
- * loops are cheaper than one loop with a table look-up.  On x86-64 entries of small tables
- * take a word each, because vector units gather only words: 6 KB more per view there, none
- * elsewhere. */
+ * loops are cheaper than one loop with a table look-up. */
 
 #if defined(__AVX2__)
 #define TP_WIDE 1
 #else
 #define TP_WIDE 0
-#endif
-
-#if defined(__x86_64__)
-typedef uint32_t tp_entry8, tp_entry16;
-#else
-typedef uint8_t  tp_entry8;
-typedef uint16_t tp_entry16;
 #endif
 
 #endif

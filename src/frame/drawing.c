@@ -148,9 +148,13 @@ void tp_frame_add_displacements(tp_frame *frame, tp_surface *surface)
 
 void tp_frame_begin_modules(tp_frame *frame)
 {
-    EACH_ON(i, use, frame)
+    EACH_ON(i, use, frame) {
+        const uint32_t dropped = frame->stats.dropped;
         if (use[i].drawing->begin)
             use[i].drawing->begin(frame, frame->buffers.module[i]);
+        if (frame->stats.dropped > dropped && !frame->lacking)
+            frame->lacking = (uint8_t)(i + 1);
+    }
 }
 
 tp_view_anchor tp_frame_objects_anchor(const tp_frame *frame)

@@ -89,10 +89,13 @@ static tp_frame *allocate_frame(const tp_program *program, tp_frame_buffers *buf
     const tp_module_conditions conditions =
         tp_frame_module_conditions(program, buffers, scene, assets, config);
     tp_frame_layout_modules(program, buffers, arena, conditions);
+    const size_t modules = arena->used;
+    buffers->gradient = tp_table_layout(arena, assets, TP_TABLE_gradient,
+                                        (TP_SKY + 1) * sizeof(uint32_t));
     *ram = (tp_ram_use){
         .frame = arena->used,
         .vertices = placed - fixed,
-        .tables = buffers->module_bytes + sizeof frame->shade.sky,
+        .tables = buffers->module_bytes + arena->used - modules,
         .mirror = buffers->map_bytes,
     };
     return frame;
@@ -327,8 +330,8 @@ const char *tp_frame_lacks(const tp_frame *frame)
 {
     const uint32_t who = frame->lacking;
 
-    if (who == TP_LACKING_SKY)
-        return "sky";
+    if (who >= TP_LACKING_CELLS)
+        return who == TP_LACKING_SKY ? "sky" : who == TP_LACKING_SAMPLES ? "samples" : "cells";
     return who ? frame->program->modules[who - 1].module->name : NULL;
 }
 

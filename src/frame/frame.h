@@ -6,6 +6,7 @@
 #ifndef TP_FRAME_FRAME_H
 #define TP_FRAME_FRAME_H
 #include "frame/drawing.h"
+#include "frame/tables.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 #include "quality/prices.h"
@@ -39,6 +40,7 @@ typedef struct tp_frame_buffers {
     tp_rung_mask     rung_mask;         /* rungs with memory */
     tp_level        *level;             /* level plane of flat and screen grid */
     tp_projected    *projected;
+    tp_own_table    *gradient;          /* of the sky; NULL: baked */
     tp_filtered_waves *filtered;        /* set by the grid's renderer; NULL: none */
     uint32_t        *slopes;            /* flat: slope grid, row by row */
     uint32_t         slope_cols;
@@ -95,9 +97,12 @@ struct tp_frame {
     bool             under;             /* true: the eye is in the water */
     uint8_t          outlined;          /* 1 + the index of the module that draws
                                          * outlines; 0: tiles have none */
-    uint8_t          lacking;           /* first tp_shaders.lacking of all lists, or ... */
-#define TP_LACKING_SKY 255              /* ... no module draws the scene's sky */
-
+    uint8_t          lacking;           /* 1 + the index of the first module that lacks
+                                         * something, or ... */
+#define TP_LACKING_SKY     255          /* ... no module draws the scene's sky, */
+#define TP_LACKING_SAMPLES 254          /* no water is known above positions, */
+#define TP_LACKING_CELLS   253          /* no triangles of the grid are drawn */
+    tp_own_table    *own_table[TP_TABLE_COUNT];     /* in use; NULL: baked, or none */
 
     tp_shade         shade;
     const tp_rgb565_tone_map *tone_map; /* tone mapping and store in one table, or NULL */
@@ -109,6 +114,14 @@ struct tp_frame {
 static inline tp_shaders *tp_frame_list(const tp_frame *frame, uint32_t mark)
 {
     return tp_marks_list(&frame->buffers.marks, mark);
+}
+
+/* Counts something as dropped; `who`: as tp_frame.lacking. */
+static inline void tp_frame_count_lack(tp_frame *frame, uint8_t who)
+{
+    frame->stats.dropped++;
+    if (!frame->lacking)
+        frame->lacking = who;
 }
 
 /* frame.c */

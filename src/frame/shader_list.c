@@ -269,12 +269,24 @@ static void fill_shader_lists(tp_frame *frame)
     count_missing_stages(frame, water, 0);
 }
 
-/* Makes the gradient of two colours again if one has changed: they are its ends.  The
- * entries of a new frame are 0, the gradient of two blacks. */
-static void set_sky_gradient(tp_shade *shade, uint32_t horizon, uint32_t zenith)
+static void make_gradient(const tp_frame *frame, const void *from, void *entries)
 {
-    if (shade->sky[0] != horizon || shade->sky[TP_SKY] != zenith)
-        tp_shade_sky(shade, horizon, zenith);
+    (void)from;
+    tp_shade_sky(entries, (uint32_t)frame->scene->sky.horizon,
+                 (uint32_t)frame->scene->sky.zenith);
+}
+
+/* Sets the gradient of two colours, which are its ends. */
+static void set_sky_gradient(tp_frame *frame)
+{
+    static const tp_table_maker maker = { make_gradient };
+    const int32_t numbers[] = { frame->scene->sky.horizon, frame->scene->sky.zenith };
+    const uint32_t dropped = frame->stats.dropped;
+
+    frame->shade.sky = tp_frame_table(frame, TP_TABLE_gradient, frame->buffers.gradient,
+                                      numbers, &maker, NULL);
+    if (frame->stats.dropped > dropped)
+        frame->lacking = TP_LACKING_SKY;
 }
 
 void tp_frame_set_up_shading(tp_frame *frame)
@@ -296,7 +308,7 @@ void tp_frame_set_up_shading(tp_frame *frame)
             ? frame->buffers.filtered : NULL;
     shade->ripple = NULL;
     shade->fresnel = tp_fresnel_table;
-    set_sky_gradient(shade, (uint32_t)scene->sky.horizon, (uint32_t)scene->sky.zenith);
+    set_sky_gradient(frame);
     shade->env = (tp_env){ 0 };
     frame->tone_map = NULL;
     tp_frame_begin_modules(frame);

@@ -52,9 +52,10 @@ void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 /* Returns the number of tiles of the picture. */
 uint32_t tp_frame_tiles(const tp_frame *frame);
 
-/* Returns the name of the first module without a needed stage at the last tp_frame_begin;
- * "sky": no module draws the scene's sky; NULL: no stage was missing.  Other dropped
- * features have no name. */
+/* Returns the name of the first module that lacked something at the last tp_frame_begin: a
+ * stage, the maker of a table, a table of the scene's numbers.  "sky": no module draws the
+ * scene's sky; "samples": the program has no samples for things in the water; "cells": no
+ * triangles of the grid.  NULL: nothing with a name was missing. */
 const char *tp_frame_lacks(const tp_frame *frame);
 
 /* Returns the number of water pixels of a drawn tile, still present in the scratch. */

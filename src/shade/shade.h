@@ -44,7 +44,7 @@
 typedef enum { TP_DOME_DAY, TP_DOME_DUSK, TP_DOME_NIGHT } tp_dome_kind;
 
 typedef struct {
-    tp_dome_kind kind;
+    int32_t  kind;              /* tp_dome_kind */
     uint32_t horizon, zenith;   /* colours of the day */
     uint32_t light;             /* colour of sun or moon */
     tp_fx    sun;               /* intensity of the disc, 0..TP_WHITES */
@@ -229,7 +229,7 @@ typedef struct tp_shade {
     const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */
     int32_t  dark;              /* number of its first entries that are 0; fewer is safe */
     const tp_entry8 *fresnel;   /* reflected share at N.V = i / 256 */
-    uint32_t sky[TP_SKY + 1];
+    const uint32_t *sky;        /* TP_SKY + 1: the gradient */
     tp_env   env;               /* sky beyond the gradient */
     const struct tp_quick_light *quick; /* fast lighting alone */
     bool     evens_only;        /* true: light of every second column leaves tp_run.even and
@@ -248,7 +248,7 @@ extern const uint8_t tp_drop_gloss[TP_GLOSS];               /* for drops and lan
 /* Called by the frame and by modules: optics.c, skies.c. */
 
 void tp_shade_shine(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength);
-void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith);
+void tp_shade_sky(uint32_t sky[TP_SKY + 1], uint32_t horizon, uint32_t zenith);
 void tp_shade_gloss(uint8_t gloss[TP_GLOSS], tp_fx shininess);
 void tp_shade_shine_blinn(tp_entry16 shine[TP_SHINE + 1], tp_fx shininess, tp_fx strength);
 void tp_shade_gloss_blinn(uint8_t gloss[TP_GLOSS], tp_fx shininess);

@@ -28,11 +28,11 @@ void tp_stage_plain(const tp_shade *shade, tp_run *run)
 
 /* Entry i is the colour at sine i / 256.  The zenith's share grows as 1 - (1 - sine)^2:
  * fast near the horizon, where the air is thick. */
-void tp_shade_sky(tp_shade *shade, uint32_t horizon, uint32_t zenith)
+void tp_shade_sky(uint32_t sky[TP_SKY + 1], uint32_t horizon, uint32_t zenith)
 {
     for (uint32_t i = 0; i <= TP_SKY; i++) {
         uint32_t left = TP_SKY - i;
-        shade->sky[i] = tp_colour_mix(horizon, zenith, 256 - left * left / TP_SKY);
+        sky[i] = tp_colour_mix(horizon, zenith, 256 - left * left / TP_SKY);
     }
 }
 

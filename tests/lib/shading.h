@@ -119,6 +119,7 @@ typedef void stage(const tp_shade *shade, tp_run *run);
 /* Focal lengths of 200 to 1000 pixels, as for 640 x 480 pixels at 60 degrees. */
 /* Table shared by all shades: tests use one shade at a time. */
 static tp_entry16 shade_shine[TP_SHINE + 1];
+static uint32_t shade_gradient[TP_SKY + 1];
 
 static inline tp_shade shade_any(uint64_t *state)
 {
@@ -140,7 +141,8 @@ static inline tp_shade shade_any(uint64_t *state)
         .shine = shade_shine,
     };
     s.fresnel = tp_fresnel_table;
-    tp_shade_sky(&s, (uint32_t)random_next(state) & 0xffffff,
+    s.sky = shade_gradient;
+    tp_shade_sky(shade_gradient, (uint32_t)random_next(state) & 0xffffff,
                  (uint32_t)random_next(state) & 0xffffff);
     return s;
 }
@@ -260,6 +262,7 @@ static inline int32_t sky_q14(double x)
 typedef struct {
     test_sky sky;
     struct tp_quick_light quick;
+    tp_quick_tables tables;
     tp_quick_rough rough[TP_QUICK_LEVELS];
     uint32_t sky_words[16 * TP_QUICK_HEIGHTS
                        + (TP_QUICK_LEVELS - 1) * TP_QUICK_ROUGH_COLUMNS
@@ -308,9 +311,10 @@ static inline tp_shade quick_rough_shade(quick_lights *kept, int env, int lobe,
     tp_filtered_waves_finish(&kept->filtered);
     s.filtered = levels > 1 ? &kept->filtered : NULL;
     s.lobe = tp_lobe_form_make(shininess, TP_FX_ONE);
-    tp_quick_light_init(&kept->quick, &s, (tp_lobe)lobe, lobe != TP_LOBE_NONE, true);
+    kept->tables = (tp_quick_tables){ kept->rough, kept->sky_words, levels };
+    tp_quick_light_init(&kept->tables, &s, (tp_lobe)lobe, lobe != TP_LOBE_NONE, true);
     if (s.env.kind == TP_ENV_CUBE)
-        tp_quick_fill_cube_map(&kept->quick, &s);
+        tp_quick_fill_cube_map(&kept->tables, &s);
     return s;
 }
 

@@ -16,13 +16,14 @@ static const tp_solid clear = { .diffuse = 0xffffff, .gloss = gloss };
 /* A level camera that looks north, a blue sky over a white horizon, and black water. */
 static tp_shade level_view(void)
 {
+    static uint32_t sky[TP_SKY + 1];
     tp_shade s = {
-        .u0 = 16 * 32 + 8, .v0 = 16 * 100 + 8, .focal = 400 * 16,
+        .sky = sky, .u0 = 16 * 32 + 8, .v0 = 16 * 100 + 8, .focal = 400 * 16,
         .world = { { TP_Q30_ONE, 0, 0 }, { 0, TP_Q30_ONE, 0 }, { 0, 0, TP_Q30_ONE },
                    0, 16384, 0 },
         .ambient = 256, .fresnel = tp_fresnel_table,
     };
-    tp_shade_sky(&s, 0xffffff, 0x0000ff);
+    tp_shade_sky(sky, 0xffffff, 0x0000ff);
     return s;
 }
 

@@ -22,10 +22,11 @@ static void tones_follow_their_formula(void **state)
 
     for (int n = 0; n < 1000; n++) {
         const tp_fx e = chance_scale(&chance, 0.125, 8);
-        tp_exposure exposure;
+        tp_tones tones;
+        const tp_exposure exposure = { .tones = &tones };
         const tp_shade s = { .focal = 16 };
         test_run r;
-        tp_exposure_make_tone_curve(exposure.tone, e);
+        tp_exposure_make_tone_curve(tones.tone, e);
         run_any(&r, 0, &chance);
         r.run.mine = &exposure;
         const tp_run before = r.run;

@@ -122,9 +122,9 @@ static void faces_of_unequal_size_are_one_sky(void **state)
         for (int f = 0; f < 6; f++)
             log2_side[f] = chance_int(&chance, 3, 6);
         paint_unequal(log2_side);
-        tp_quick_light_init(&lights.quick, &s, TP_LOBE_NONE, false, true);
+        tp_quick_light_init(&lights.tables, &s, TP_LOBE_NONE, false, true);
         if (s.env.kind == TP_ENV_CUBE)
-            tp_quick_fill_cube_map(&lights.quick, &s);
+            tp_quick_fill_cube_map(&lights.tables, &s);
         for (int i = 0; i < TP_QUICK_SIDE * TP_QUICK_SIDE; i++)
             colour_error_add(&off, map[i], ref_colour_unpack(equal[i]));
     }

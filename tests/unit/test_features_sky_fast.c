@@ -357,7 +357,7 @@ static void white_in_white_haze_stays_white(void **state)
         run_any(&r, 0, &chance);
         set_depths(&r, chance_double(&chance, 100, 6000), 0);
         s.env.kind = TP_ENV_GRADIENT;
-        s.sky[0] = 0xffffff;
+        s.sky = &(const uint32_t){ 0xffffff };
         for (int i = 0; i < TP_RUN; i++)
             r.run.colour[i] = 0xffffff;
         begin_haze(&s, 1000);

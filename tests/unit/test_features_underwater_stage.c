@@ -305,7 +305,7 @@ static void snells_window_ends_at_48_6_degrees(void **state)
     scene s = scene_inside(-1, -1);
     double rim = 0;
 
-    tp_shade_sky(&s.shade, 0xffffff, 0xffffff);
+    tp_shade_sky(shade_gradient, 0xffffff, 0xffffff);
     for (int k = 0; k < 9000; k++) {
         const double angle = k / 100.0 * 3.14159265358979 / 180;
         const tp_refracted_ray ray = { { 0, 0, 0 }, { (int32_t)lround(sin(angle) * Q14),

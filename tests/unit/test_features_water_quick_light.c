@@ -115,9 +115,9 @@ static double compare(const bodies *b, const char *what, int32_t steep, bool shi
             s = quick_shade(&lights, b->env, b->lobe, &chance);
         if (another && !shiny) {
             memset(shade_shine, 0, sizeof shade_shine);
-            tp_quick_light_init(&lights.quick, &s, (tp_lobe)b->lobe, false, true);
+            tp_quick_light_init(&lights.tables, &s, (tp_lobe)b->lobe, false, true);
             if (s.env.kind == TP_ENV_CUBE)
-                tp_quick_fill_cube_map(&lights.quick, &s);
+                tp_quick_fill_cube_map(&lights.tables, &s);
         }
         test_run r;
         quick_run(&r, r.run.slope, steep, &chance);
@@ -215,9 +215,9 @@ static double compare_rough(const bodies *b, uint32_t variance, int32_t low, int
             s = quick_rough_shade(&lights, b->env, b->lobe, TP_QUICK_LEVELS, &chance);
             memset(shade_shine, 0, sizeof shade_shine);
             set_waves(&s, variance);
-            tp_quick_light_init(&lights.quick, &s, (tp_lobe)b->lobe, false, true);
+            tp_quick_light_init(&lights.tables, &s, (tp_lobe)b->lobe, false, true);
             if (s.env.kind == TP_ENV_CUBE)
-                tp_quick_fill_cube_map(&lights.quick, &s);
+                tp_quick_fill_cube_map(&lights.tables, &s);
         }
         test_run r;
         quick_run(&r, r.run.slope, 410, &chance);

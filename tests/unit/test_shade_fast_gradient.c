@@ -51,8 +51,11 @@ static void where_a_run_is_cut_does_not_show(void **state)
 /* The entry of a colour in a sky of 256 blues. */
 static void number_entries(tp_shade *s)
 {
+    static uint32_t numbers[TP_SKY + 1];
+
     for (uint32_t i = 0; i <= TP_SKY; i++)
-        s->sky[i] = i;
+        numbers[i] = i;
+    s->sky = numbers;
 }
 
 /* A column's sine is that of a column at most two away, off by the chord over 32 columns as

@@ -20,6 +20,7 @@ enum { ROUNDS = 400, CELLS = 37, FACES = 64, MAP = 60 };
 static uint64_t chance;
 static uint32_t texels[2 * 64 * 32];
 static tp_texture texture;
+static tp_tones tones;
 
 /* -- data of the modules, random in each round ----------------------------------------- */
 
@@ -137,7 +138,8 @@ static tp_shade any_shade(void)
     variance.gain_square = TP_FX_ONE;
     variance.levels = 8;
     s.ripple = chance_int(&chance, 0, 2) ? &variance : NULL;
-    tp_exposure_make_tone_curve(data.exposure.tone, chance_fx(&chance, 0.2, 7));
+    data.exposure.tones = &tones;
+    tp_exposure_make_tone_curve(tones.tone, chance_fx(&chance, 0.2, 7));
     return s;
 }
 

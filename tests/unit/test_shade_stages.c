@@ -154,7 +154,8 @@ static void runs_may_be_cut_anywhere(void **state)
     for (int n = 0; n < 300 * STAGES; n++) {
         tp_shade s = shade_any(&chance);
         uint8_t gloss[TP_GLOSS];
-        tp_exposure exposure;
+        tp_tones tones;
+        const tp_exposure exposure = { .tones = &tones };
         const tp_solid solid = solid_any(gloss, &chance);
         test_run r;
         run_any(&r, 5000, &chance);
@@ -164,7 +165,7 @@ static void runs_may_be_cut_anywhere(void **state)
         sky_dome(&sky, &s, &chance);
         s.env.stars = 200;
         s.env.star = 1000;
-        tp_exposure_make_tone_curve(exposure.tone, chance_fx(&chance, 0.125, 8));
+        tp_exposure_make_tone_curve(tones.tone, chance_fx(&chance, 0.125, 8));
         tp_stage_view(&s, &r.run);
         for (int i = 0; i < TP_RUN; i++) {
             r.run.mirror[i] = (uint32_t)random_next(&chance);

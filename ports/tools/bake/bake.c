@@ -81,6 +81,8 @@ static void put_contents(const bake *b, const tp_assets *names)
             put_bytes(b->out, &sum, bake_grey_bytes(bake_nth_grey(names, i)), bake_greys[i].part);
     if (names->boat)
         put_bytes(b->out, &sum, bake_mesh_bytes(names->boat), "boat, without pictures");
+    if (names->tables)
+        put_bytes(b->out, &sum, bake_tables_bytes(&b->program->tables), "tables of frames");
     fprintf(b->out, " * %9zu  together", sum);
     if (b->program) {
         fputc('\n', b->out);
@@ -135,6 +137,8 @@ static void put_assets(const bake *b, const tp_assets *names)
         if (bake_nth_grey(names, i))
             fprintf(b->out, "    .%s = &%s_%s,\n", bake_greys[i].member, b->name,
                     bake_greys[i].part);
+    if (names->tables)
+        fprintf(b->out, "    .tables = &%s_tables,\n", b->name);
     fprintf(b->out, "};\n");
 }
 
@@ -150,6 +154,8 @@ static void put_all(const bake *b, const options *o, const loaded_scene *s)
     if (names->boat)
         bake_mesh(b, "boat", names->boat);
     bake_scene(b, b->program ? &b->program->scene : &s->file.scene);
+    if (names->tables)
+        bake_tables_write(b->out, b->name, &b->program->tables);
     put_assets(b, names);
     if (b->program)
         bake_put_program(b->program, b->out, b->name);
@@ -201,6 +207,8 @@ static int run(loaded_scene *s, const options *o)
         code = bake_list_pictures(&b, &s->assets.names);
     if (!code)
         code = write_file(&b, o, s);
+    if (b.program)
+        bake_close_program(&program);
     free(b.pictures);
     for (int i = 0; i < TP_BAKED_LAYERS; i++)
         free(memory[i]);

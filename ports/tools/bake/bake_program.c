@@ -76,6 +76,37 @@ static tp_assets prepared_alone(const tp_assets *names)
     return lean;
 }
 
+/* Searches with the reduced assets, and uses them if they suffice. */
+static int search_lean(bake_program *p, tp_assets *baked, const tp_tables *tables)
+{
+    tp_assets lean = prepared_alone(baked);
+
+    lean.tables = tables;
+    p->request.lean = &lean;
+    const int code = component_search_run(&p->found, &p->request);
+    p->request.lean = NULL;
+    if (!code && p->found.lean)
+        *baked = lean;
+    return code;
+}
+
+/* Searches with baked tables first.  Scenes that may change make their own. */
+static int search(bake_program *p, tp_assets *baked)
+{
+    const component_search_request *request = &p->request;
+
+    if (request->terms.checks)
+        return search_lean(p, baked, NULL);
+    int code = bake_tables_make(&p->tables, &p->scene, baked, &request->config,
+                                request->acts);
+    if (!code)
+        code = search_lean(p, baked, &p->tables.tables);
+    if (code || p->found.lean)
+        return code;
+    bake_tables_free(&p->tables);
+    return search_lean(p, baked, NULL);
+}
+
 /* Prints each component that the scene asks for and the program lacks, by name, once. */
 static int tell_lacks(const component_search_result *found, bool strict)
 {
@@ -124,13 +155,13 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
         code = check_pieces(request);
     if (code)
         return code;
-    const tp_assets lean = prepared_alone(baked);
-    request->lean = &lean;
-    code = component_search_run(&p->found, request);
-    request->lean = NULL;
-    if (p->found.lean)
-        *baked = lean;
+    code = search(p, baked);
     return code ? code : tell_lacks(&p->found, o->strict);
+}
+
+void bake_close_program(bake_program *p)
+{
+    bake_tables_free(&p->tables);
 }
 
 /* -- the file ------------------------------------------------------------------------ */

@@ -56,6 +56,7 @@ enum {
     SCENE = offsetof(tp_scene, pictures) + POINTER,
     CONFIG = 5 * 4 + 2 * POINTER + 3 * POINTER + 4,
     ASSETS = sizeof(tp_assets) / sizeof(void *) * POINTER,
+    TABLES = 2 * TP_TABLE_COUNT * POINTER,
     PROGRAM = sizeof(tp_program) / sizeof(void *) * POINTER,
     USE = sizeof(tp_use) / sizeof(void *) * POINTER,
 };
@@ -122,7 +123,7 @@ int flash_estimate(size_t *bytes, const loaded_scene *s, const options *o,
     void *memory[TP_BAKED_LAYERS] = { NULL };
     tp_texture made[TP_BAKED_LAYERS];
     bake b = { .name = "" };
-    bake_program program;
+    bake_program program = { .scene = s->file.scene };
     int code = bake_prepare(&names, &s->file.scene, o, memory, made);
 
     code = code ? code : bake_find_program(&program, &small, &s->file.scene, all, &names,
@@ -130,7 +131,9 @@ int flash_estimate(size_t *bytes, const loaded_scene *s, const options *o,
     code = code ? code : bake_list_pictures(&b, &names);
     if (!code)
         *bytes = flash_code_bytes(&program.found.in, &program.request.terms)
-               + list_bytes(&program.found.in) + assets_bytes(&b, &names);
+               + list_bytes(&program.found.in) + assets_bytes(&b, &names)
+               + (names.tables ? TABLES + bake_tables_bytes(&program.tables) : 0);
+    bake_close_program(&program);
     free(b.pictures);
     for (int i = 0; i < TP_BAKED_LAYERS; i++)
         free(memory[i]);

@@ -23,11 +23,16 @@ tp_fx tp_exposure_step(tp_fx exposure, tp_fx mean, tp_fx rate);
 
 #define TP_EXPOSURE_ID TP_MODULE_ID('e', 'x', 'p', 'o')
 
+/* The table of tones: a channel's tone curve, and the same curve for rgb565 pixels. */
+typedef struct {
+    tp_entry8 tone[256];
+    tp_rgb565_tone_map tone_map;
+} tp_tones;
+
 /* Data of the span stage, in tp_run.mine. */
 typedef struct {
-    tp_entry8 tone[256];        /* tone curve of a channel */
-    tp_rgb565_tone_map tone_map;             /* the same curve for rgb565 pixels */
-    tp_fx     made_for;         /* exposure of the tables; 0: none */
+    const tp_tones *tones;
+    int32_t *own;               /* a tp_own_table; NULL: baked */
 } tp_exposure;
 
 /* Fills the tone curve of a channel for an exposure of 1/8..8. */

@@ -4,25 +4,6 @@
 #include "features/exposure/exposure.h"
 #include "frame/frame.h"
 
-static void make_tones(tp_exposure *e, tp_fx exposure)
-{
-    TP_ASSERT(exposure > 0);
-    tp_exposure_make_tone_curve(e->tone, exposure);
-    for (uint32_t i = 0; i < 256; i++)
-        tp_rgb565_tone_map_set(&e->tone_map, i, e->tone[i]);
-    e->made_for = exposure;
-}
-
-/* Marks the tone tables as not computed; begin_tone_mapping computes them for the frame's
- * exposure. */
-static void init(tp_frame *frame, void *mine)
-{
-    tp_exposure *e = mine;
-
-    (void)frame;
-    e->made_for = 0;
-}
-
 static tp_fx drawn_exposure(const tp_frame *frame)
 {
     const tp_fx exposure = frame->drawn.exposure;
@@ -46,21 +27,34 @@ static tp_tone_mapped_store *choose_store(const tp_frame *frame)
                ? draw->tone_rgb565be->store : NULL;
 }
 
-/* Makes the tone tables if the exposure changed, and chooses the method.  Panes of glass
- * and overlays must be drawn over tone-mapped colours: both exclude the pixel table. */
+static void make_tones(const tp_frame *frame, const void *from, void *entries)
+{
+    tp_tones *to = entries;
+
+    (void)from;
+    tp_exposure_make_tone_curve(to->tone, drawn_exposure(frame));
+    for (uint32_t i = 0; i < 256; i++)
+        tp_rgb565_tone_map_set(&to->tone_map, i, to->tone[i]);
+}
+
+const struct tp_draw_tones tp_draw_tones = { { make_tones } };
+
+/* Sets the tone tables, and chooses the method.  Panes of glass and overlays must be drawn
+ * over tone-mapped colours: both exclude the pixel table. */
 static void begin_tone_mapping(tp_frame *frame, void *mine)
 {
     tp_exposure *e = mine;
-    const tp_fx exposure = drawn_exposure(frame);
+    const int32_t exposure = drawn_exposure(frame);
 
+    TP_ASSERT(exposure > 0);
     if (exposure == TP_FX_ONE)
         return;
-    if (exposure != e->made_for)
-        make_tones(e, exposure);
+    e->tones = tp_frame_table(frame, TP_TABLE_tones, e->own, &exposure,
+                              TP_TABLE_MAKER(frame->program->draw.tones), NULL);
     if (frame->config.overlay.draw || tp_frame_has_module(frame, TP_MODULE_PANES))
         return;
     frame->store_tone_mapped = choose_store(frame);
-    frame->tone_map = frame->store_tone_mapped ? &e->tone_map : NULL;
+    frame->tone_map = frame->store_tone_mapped ? &e->tones->tone_map : NULL;
 }
 
 static void add_stage(const tp_frame *frame, const void *mine, const tp_stage *stage,
@@ -80,8 +74,13 @@ bool tp_exposure_enabled(const tp_module_conditions *conditions)
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(tp_exposure));
+    tp_exposure *e = tp_arena_alloc(arena, 1, sizeof *e);
+    tp_own_table *own =
+        tp_table_layout(arena, conditions->assets, TP_TABLE_tones, sizeof(tp_tones));
+
+    if (e)
+        e->own = own;
+    return e;
 }
 
 const tp_module tp_exposure_module = {
@@ -90,5 +89,5 @@ const tp_module tp_exposure_module = {
 };
 
 const tp_drawing tp_exposure_drawing = {
-    .layout = layout, .init = init, .begin = begin_tone_mapping, .stages = add_stage,
+    .layout = layout, .begin = begin_tone_mapping, .stages = add_stage,
 };

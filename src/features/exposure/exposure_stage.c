@@ -35,7 +35,7 @@ void tp_stage_expose(const tp_shade *restrict shade, tp_run *restrict run)
 {
     TP_ASSERT(run->mine != NULL);
     const tp_exposure *exposure = run->mine;
-    const tp_entry8 *tone = exposure->tone;
+    const tp_entry8 *tone = exposure->tones->tone;
     const int32_t count = run->count;
 
     (void)shade;

@@ -25,34 +25,38 @@ uint32_t tp_beyond_white(const tp_scene *scene, const tp_assets *assets)
 
 /* -- a generated sky ----------------------------------------------------------------- */
 
-/* The tables are rebuilt when the scene's sky numbers have changed. */
-
 /* Indices in the program's table of stages. */
 enum { DOME_SKY, DOME_SKY_HDR, DOME_SKY_QUICK, DOME_REFLECTION, DOME_SKY_FAST };
 
-/* Marks the tables as not built; begin_dome builds them. */
-static void init_dome(tp_frame *frame, void *mine)
-{
-    tp_dome *dome = mine;
+typedef struct {
+    tp_own_table *own;          /* NULL: baked */
+} dome;
 
-    (void)frame;
-    dome->made_of.sun = -1;
+static void make_dome(const tp_frame *frame, const void *from, void *entries)
+{
+    const tp_dome_config config = tp_dome_config_make(frame->scene);
+
+    (void)from;
+    tp_dome_init(entries, &config);
 }
+
+const struct tp_draw_dome tp_draw_dome = { { make_dome } };
 
 static void begin_dome(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
     const tp_dome_config config = tp_dome_config_make(scene);
-    tp_dome *dome = mine;
+    const int32_t numbers[] = { config.kind, (int32_t)config.horizon,
+                                (int32_t)config.zenith, (int32_t)config.light, config.sun };
+    const dome *own = mine;
     tp_env  *env = &frame->shade.env;
 
-    if (!tp_dome_config_equal(&config, &dome->made_of))
-        tp_dome_init(dome, &config);
     if (scene->water.specular > 0)      /* the glitter is the disc's reflection */
         env->least = TP_DISC_END;
     env->kind = TP_ENV_DOME;
     env->beyond = tp_beyond_white(scene, &frame->assets);
-    env->dome = dome;
+    env->dome = tp_frame_table(frame, TP_TABLE_dome, own->own, numbers,
+                               TP_TABLE_MAKER(frame->program->draw.dome), NULL);
 }
 
 /* True if the scene asks for the fast sky. */
@@ -96,8 +100,13 @@ bool tp_sky_dome_enabled(const tp_module_conditions *conditions)
 
 static void *layout_dome(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(tp_dome));
+    dome *made = tp_arena_alloc(arena, 1, sizeof *made);
+    tp_own_table *own =
+        tp_table_layout(arena, conditions->assets, TP_TABLE_dome, sizeof(tp_dome));
+
+    if (made)
+        made->own = own;
+    return made;
 }
 
 const tp_module tp_sky_dome_module = {
@@ -107,7 +116,6 @@ const tp_module tp_sky_dome_module = {
 
 const tp_drawing tp_sky_dome_drawing = {
     .layout = layout_dome,
-    .init = init_dome,
     .begin = begin_dome,
     .stages = add_dome_stages,
 };

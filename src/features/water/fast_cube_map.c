@@ -33,7 +33,7 @@ static int choose_level(const tp_texture *face)
 
 /* Fills a cell of the map of a cube, which holds the light from the direction opposite to
  * its place: (x, y, z), Q14.  Alpha is light beyond white, 0 in a scene without HDR. */
-static void fill_cell(struct tp_quick_light *quick, const tp_shade *shade, int32_t u,
+static void fill_cell(const tp_quick_tables *quick, const tp_shade *shade, int32_t u,
                       int32_t v, int32_t x, int32_t y, int32_t z)
 {
     const tp_texture *face = shade->env.cube->face[tp_cube_face(x, y, z).face];
@@ -45,7 +45,7 @@ static void fill_cell(struct tp_quick_light *quick, const tp_shade *shade, int32
 }
 
 /* Cells whose places differ by signs or by order have the same height. */
-void tp_quick_fill_cube_map(struct tp_quick_light *quick, const tp_shade *shade)
+void tp_quick_fill_cube_map(const tp_quick_tables *quick, const tp_shade *shade)
 {
     for (int32_t a = 512; a < TP_QUICK_SIDE * 512; a += 1024)
         for (int32_t b = 512; b <= a; b += 1024) {

@@ -202,7 +202,7 @@ static uint32_t mirrored_sky_colour(const tp_shade *shade, int32_t up, uint32_t 
 
 /* Fills the columns of heights of smooth water.  Entry i is in the middle of a 32nd; `up`
  * is in 256ths.  A gradient has one column; a dome has 16, mixed from its two sides. */
-static void fill_smooth_sky(struct tp_quick_light *quick, const tp_shade *shade)
+static void fill_smooth_sky(const tp_quick_tables *quick, const tp_shade *shade)
 {
     const int32_t least = quick->rough[0].least >> 18;
 
@@ -249,11 +249,11 @@ static void fill_shifts(tp_quick_rough *rough, const rough_level *level)
         int32_t shift = -MARGIN;
         while (shift < MARGIN && column_height(level, vy + 512 * shift + 256) < height)
             shift++;
-        rough->shift[i] = (int8_t)shift;
+        rough->shift[i / 4] = rough->shift[i / 4] >> 8 | (uint32_t)shift << 24;
     }
 }
 
-static void fill_rough_sky(struct tp_quick_light *quick, const tp_shade *shade,
+static void fill_rough_sky(const tp_quick_tables *quick, const tp_shade *shade,
                            const rough_level *level)
 {
     const bool dome = shade->env.kind == TP_ENV_DOME;
@@ -272,7 +272,7 @@ static void fill_rough_sky(struct tp_quick_light *quick, const tp_shade *shade,
 
 /* -- all tables ---------------------------------------------------------------------- */
 
-void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
+void tp_quick_light_init(const tp_quick_tables *quick, const tp_shade *shade,
                          tp_lobe lobe, bool specular, bool rippled)
 {
     TP_ASSERT((unsigned)lobe <= TP_LOBE_BLINN && shade->fresnel != NULL);
@@ -326,7 +326,8 @@ static uint32_t sky_place(const tp_shade *shade, const tp_quick_view *v, int env
     const int32_t at = tp_clamp(vy * TP_QUICK_VIEWS >> 14, 0, TP_QUICK_VIEWS - 1);
 
     return rough_sky_place(level, env == TP_ENV_DOME, column * TP_QUICK_ROUGH_COLUMNS / 16)
-         + (uint32_t)(MARGIN + TP_QUICK_HEIGHTS / 2 + shade->quick->rough[level].shift[at]);
+         + (uint32_t)(MARGIN + TP_QUICK_HEIGHTS / 2
+                      + (int8_t)(shade->quick->rough[level].shift[at / 4] >> 8 * (at & 3)));
 }
 
 /* Returns tp_quick_water's `seen`, so that level water has tp_rough_lobe's: with the view's

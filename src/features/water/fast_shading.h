@@ -145,7 +145,6 @@ typedef struct {
 #define TP_QUICK_STEP(lobe) ((lobe) == TP_LOBE_PHONG ? 2 : 4)       /* columns per step */
 #define TP_QUICK_SPAN(lobe) (8 * TP_QUICK_STEP(lobe))
 #define TP_QUICK_VIEWS  64      /* heights of the vector to the eye */
-#define TP_QUICK_KEY    19
 #define TP_QUICK_SIDE   32      /* side of the map of a cube's sky */
 #define TP_QUICK_LEVELS 4       /* levels of roughness, of a scene with a fan; else 1 */
 
@@ -157,7 +156,8 @@ typedef struct {
     uint32_t lobe[TP_QUICK_LOBE];       /* colours */
     uint32_t beyond;            /* of tp_env: scale of a cube's light beyond white */
     int32_t  least;             /* lower bound of n, Q26 */
-    int8_t   shift[TP_QUICK_VIEWS];     /* entries of the sky by Vy, from 0 to 1 */
+    uint32_t shift[TP_QUICK_VIEWS / 4]; /* entries of the sky by Vy, from 0 to 1: signed
+                                         * bytes, the lowest first */
 } tp_quick_rough;
 
 /* Returns the words of a sky: a cube's map, or columns of heights of each level. */
@@ -171,12 +171,17 @@ TP_ALWAYS_INLINE size_t tp_quick_sky_words(int env, uint32_t levels)
 }
 
 struct tp_quick_light {
-    tp_quick_rough *rough;              /* by level of roughness */
+    const tp_quick_rough *rough;        /* by level of roughness */
     uint32_t levels;                    /* in use */
     bool     lit;                       /* true: an earlier stage lights the colours */
-    uint32_t *sky;                      /* tp_quick_sky_words */
-    int32_t  made_for[TP_QUICK_KEY];    /* inputs; the first is >= 0 */
+    const uint32_t *sky;                /* tp_quick_sky_words */
 };
+
+/* The same tables while they are made. */
+typedef struct {
+    tp_quick_rough *rough;
+    uint32_t *sky, levels;
+} tp_quick_tables;
 
 /* name, kind of environment, lobe */
 #define TP_QUICK_LIGHT_STAGES(X) \
@@ -194,14 +199,14 @@ struct tp_quick_light {
  * dome's lobe; ripples through their whole variance, an axis, Q24. */
 uint32_t tp_quick_share_at_sun(const tp_shade *shade);
 uint32_t tp_quick_ripple_variance(const tp_shade *shade);
-void tp_quick_light_init(struct tp_quick_light *quick, const tp_shade *shade,
+void tp_quick_light_init(const tp_quick_tables *to, const tp_shade *shade,
                          tp_lobe lobe, bool specular, bool rippled);
 
 /* fast_cube_map.c: fills the map of a cube's light, which tp_quick_light_init leaves. */
-void tp_quick_fill_cube_map(struct tp_quick_light *quick, const tp_shade *shade);
+void tp_quick_fill_cube_map(const tp_quick_tables *to, const tp_shade *shade);
 
 struct tp_draw_cube_map {
-    void (*fill)(struct tp_quick_light *quick, const tp_shade *shade);
+    void (*fill)(const tp_quick_tables *to, const tp_shade *shade);
 };
 
 /* Adds the part beyond white of mirrored light [F8]; light: of the cube's map; mirrors: share

@@ -13,7 +13,8 @@
 typedef struct {
     tp_quick_layers layers;     /* data of the stages; first member */
     struct tp_quick_light light;
-    uint32_t levels;            /* of roughness; the memory of light's tables */
+    tp_own_table *own;          /* light's tables; NULL: baked */
+    uint32_t levels;            /* of roughness; in light's tables */
     tp_fast_textures textures;
 } tp_fast_water;
 
@@ -39,15 +40,36 @@ static tp_lobe select_lobe(const tp_frame *frame)
     return frame->scene->light.model == TP_LIGHT_BLINN ? TP_LOBE_BLINN : TP_LOBE_PHONG;
 }
 
-/* Collects all numbers used by the tables.  The camera's pitch enters only through a
- * dome's share at the sun. */
-static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, bool ripples,
-                           uint32_t levels)
+/* What the tables are made for, beside the frame. */
+typedef struct {
+    uint32_t laid, levels;      /* levels of roughness: with memory; in use */
+    bool     ripples;
+} light_needs;
+
+static void make_light(const tp_frame *frame, const void *from, void *entries)
+{
+    const light_needs *needs = from;
+    const bool specular = frame->scene->water.specular > 0 && frame->shade.shine;
+    tp_quick_rough *rough = entries;
+    const tp_quick_tables to = { rough, (uint32_t *)(rough + needs->laid), needs->levels };
+
+    tp_quick_light_init(&to, &frame->shade, select_lobe(frame), specular, needs->ripples);
+    if (frame->shade.env.kind == TP_ENV_CUBE && frame->program->draw.cube_map)
+        frame->program->draw.cube_map->fill(&to, &frame->shade);
+}
+
+const struct tp_draw_light tp_draw_light = { { make_light } };
+
+/* Sets the tables by all numbers that they use.  The camera's pitch enters only through a
+ * dome's share at the sun.  A program without the module `glint` has no table of glints. */
+static void set_tables(tp_frame *frame, tp_fast_water *fast, bool ripples)
 {
     const tp_scene *scene = frame->scene;
     const tp_shade *shade = &frame->shade;
+    const uint32_t levels = fast->light.levels;
     const bool dome = shade->env.kind == TP_ENV_DOME;
-    const int32_t numbers[TP_QUICK_KEY] = {
+    const light_needs needs = { fast->levels, levels, ripples };
+    const int32_t numbers[] = {
         (int32_t)shade->env.kind, (int32_t)select_lobe(frame), shade->world.lx,
         shade->world.ly, shade->world.lz, shade->mirror, scene->light.colour,
         scene->water.shininess, scene->water.specular, scene->water.fresnel,
@@ -57,23 +79,10 @@ static void fill_table_key(int32_t key[TP_QUICK_KEY], const tp_frame *frame, boo
         levels > 1 ? (int32_t)tp_quick_ripple_variance(shade) : 0,
         (int32_t)shade->env.beyond,
     };
-    memcpy(key, numbers, sizeof numbers);
-}
 
-/* Makes the tables again if a number of their key has changed.  A program without the
- * module `glint` has no table of glints. */
-static void update_tables(tp_frame *frame, struct tp_quick_light *light, bool ripples)
-{
-    const bool specular = frame->scene->water.specular > 0 && frame->shade.shine;
-    int32_t key[TP_QUICK_KEY];
-
-    fill_table_key(key, frame, ripples, light->levels);
-    if (memcmp(key, light->made_for, sizeof key) == 0)
-        return;
-    memcpy(light->made_for, key, sizeof key);
-    tp_quick_light_init(light, &frame->shade, select_lobe(frame), specular, ripples);
-    if (frame->shade.env.kind == TP_ENV_CUBE && frame->program->draw.cube_map)
-        frame->program->draw.cube_map->fill(light, &frame->shade);
+    fast->light.rough = tp_frame_table(frame, TP_TABLE_light, fast->own, numbers,
+                                       TP_TABLE_MAKER(frame->program->draw.light), &needs);
+    fast->light.sky = (const uint32_t *)(fast->light.rough + fast->levels);
 }
 
 /* Sets the layers and tables of fast shading, if this picture uses fast shading. */
@@ -85,28 +94,30 @@ static void begin_fast_water(tp_frame *frame, void *mine)
         return;
     frame->stats.dropped +=
         tp_fast_textures_begin(&fast->textures, frame, &fast->layers)
-        + (frame->shade.env.kind == TP_ENV_CUBE && !frame->program->draw.cube_map);
+        + (frame->shade.env.kind == TP_ENV_CUBE && fast->own
+           && !frame->program->draw.cube_map);
     const bool ripples = bends_normals(frame, &fast->layers);
     frame->shade.quick = &fast->light;
     fast->light.lit = tp_frame_has_module(frame, TP_MODULE_CLEAR);
     fast->light.levels =
         frame->shade.ripple || frame->shade.filtered ? fast->levels : 1;
-    update_tables(frame, &fast->light, ripples);
+    set_tables(frame, fast, ripples);
 }
 
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
     const uint32_t levels = conditions->scene->water.rough ? TP_QUICK_LEVELS : 1;
     tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
-    tp_quick_rough *rough = tp_arena_alloc(arena, levels, sizeof *rough);
     const int env = conditions->above & TP_MODULE_CUBE ? TP_ENV_CUBE
                   : conditions->above & TP_MODULE_DOME ? TP_ENV_DOME : TP_ENV_GRADIENT;
-    uint32_t *sky = tp_arena_alloc(arena, tp_quick_sky_words(env, levels), sizeof *sky);
+    tp_own_table *own =
+        tp_table_layout(arena, conditions->assets, TP_TABLE_light,
+                        levels * sizeof(tp_quick_rough)
+                            + tp_quick_sky_words(env, levels) * sizeof(uint32_t));
     tp_fast_textures counted;
 
     if (fast) {
-        fast->light.rough = rough;
-        fast->light.sky = sky;
+        fast->own = own;
         fast->levels = levels;
     }
 
@@ -120,7 +131,6 @@ static void init(tp_frame *frame, void *mine)
 
     (void)frame;
     tp_fast_textures_init(&fast->textures);
-    fast->light.made_for[0] = -1;
 }
 
 /* -- the shader list ----------------------------------------------------------------- */

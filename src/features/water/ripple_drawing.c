@@ -8,13 +8,18 @@
 typedef struct {
     tp_ripple look;             /* data of the stage; first member */
     tp_ripple_variance variance;
-    const tp_texture *made_of;  /* texture of the variance; NULL: none yet */
+    tp_own_table *own;          /* sums of the texture; NULL: baked */
 } ripples;
 
 static void *layout_ripple(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(ripples));
+    ripples *made = tp_arena_alloc(arena, 1, sizeof *made);
+    tp_own_table *own = tp_table_layout(arena, conditions->assets, TP_TABLE_ripples,
+                                        sizeof made->variance.lost);
+
+    if (made)
+        made->own = own;
+    return made;
 }
 
 /* Returns the slopes of a normal; its z is at least 1/8. */
@@ -26,26 +31,49 @@ static tp_texel_slopes normal_slopes(uint32_t texel)
                               ((int32_t)(texel >> 8 & 0xff) - 128) * 4096 / up };
 }
 
-/* Sums up a texture that is new. */
-static void sum_variance(ripples *own, const tp_texture *texture)
+static void make_sums(const tp_frame *frame, const void *from, void *entries)
 {
-    if (texture && own->made_of != texture)
-        tp_ripple_variance_init(&own->variance, texture, normal_slopes);
-    own->made_of = texture;
+    tp_ripple_variance made = { .levels = 0 };
+
+    (void)from;
+    tp_ripple_variance_init(&made, frame->assets.ripple, normal_slopes);
+    memcpy(entries, made.lost, sizeof made.lost);
 }
 
+const struct tp_draw_ripple_sums tp_draw_ripple_sums = { { make_sums } };
+
+/* Returns the sums of a texture. */
+static const void *find_sums(tp_frame *frame, const ripples *own, const tp_texture *texture)
+{
+    const int32_t numbers[] = { texture->log2_w, texture->log2_h };
+
+    return tp_frame_table(frame, TP_TABLE_ripples, own->own, numbers,
+                          TP_TABLE_MAKER(frame->program->draw.ripple_sums), NULL);
+}
+
+/* Returns the texture whose sums are known: the ripples', or with baked sums that of their
+ * baked slopes, which has the same sides; NULL: none. */
+static const tp_texture *summed_texture(const tp_frame *frame, const ripples *own)
+{
+    const tp_assets *assets = &frame->assets;
+
+    return assets->ripple ? assets->ripple : own->own ? NULL : assets->baked_slope;
+}
+
+/* Makes the sums before the first picture: they need all texels. */
 static void init_ripple(tp_frame *frame, void *mine)
 {
-    ((ripples *)mine)->made_of = NULL;
-    sum_variance(mine, frame->assets.ripple);
+    const tp_texture *texture = summed_texture(frame, mine);
+
+    if (texture && frame->scene->water.rough)
+        find_sums(frame, mine, texture);
 }
 
 /* Sets the variance of this frame. */
-static void begin_variance(tp_frame *frame, ripples *own)
+static void begin_variance(tp_frame *frame, ripples *own, const tp_texture *texture)
 {
-    sum_variance(own, own->look.layer.texture);
-    if (!own->made_of || !frame->scene->water.rough)
-        return;
+    memcpy(own->variance.lost, find_sums(frame, own, texture), sizeof own->variance.lost);
+    own->variance.levels = texture->levels;
     own->variance.gain_square = (uint32_t)(own->look.gain * own->look.gain);
     own->variance.lod = own->look.layer.lod;
     frame->shade.ripple = &own->variance;
@@ -54,11 +82,14 @@ static void begin_variance(tp_frame *frame, ripples *own)
 static void begin_ripple(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
+    const tp_texture *texture = summed_texture(frame, mine);
     tp_ripple *ripple = mine;
 
-    ripple->layer = tp_frame_layer(frame, frame->assets.ripple, &scene->ripple.map);
+    ripple->layer = tp_frame_layer(frame, texture, &scene->ripple.map);
+    ripple->layer.texture = frame->assets.ripple;
     ripple->gain = scene->ripple.bump >> 8;
-    begin_variance(frame, mine);
+    if (texture && scene->water.rough)
+        begin_variance(frame, mine, texture);
 }
 
 /* True if slopes of the mesh are at most 1/4: sum kA / (1 - sum QkA). */

@@ -290,23 +290,20 @@ const tp_drawing tp_reflectance_drawing = { .begin = begin_reflectance,
 
 /* -- glitter ------------------------------------------------------------------------- */
 
-/* The lobe's table for the light model, made again when a number of it has changed. */
+/* The table of the water's lobe; NULL: baked. */
 typedef struct {
-    tp_entry16 shine[TP_SHINE + 1];
-    int32_t    model;           /* the table's numbers; model -1: not made yet */
-    tp_fx      shininess, specular;
+    tp_own_table *shine;
 } glint;
 
 static void *layout_glint(tp_arena *arena, const tp_module_conditions *conditions)
 {
-    (void)conditions;
-    return tp_arena_alloc(arena, 1, sizeof(glint));
-}
+    glint *g = tp_arena_alloc(arena, 1, sizeof *g);
+    tp_own_table *shine = tp_table_layout(arena, conditions->assets, TP_TABLE_shine,
+                                          (TP_SHINE + 1) * sizeof(tp_entry16));
 
-static void init_glint(tp_frame *frame, void *mine)
-{
-    (void)frame;
-    ((glint *)mine)->model = -1;
+    if (g)
+        g->shine = shine;
+    return g;
 }
 
 /* Returns the number of entries that are 0; entries do not fall. */
@@ -320,30 +317,30 @@ static int32_t count_dark_entries(const tp_entry16 *shine)
     return count;
 }
 
-static void make_shine(glint *g, const tp_scene *scene)
+static void make_shine(const tp_frame *frame, const void *from, void *entries)
 {
-    const tp_fx shininess = scene->water.shininess, specular = scene->water.specular;
+    const tp_fx shininess = frame->scene->water.shininess;
+    const tp_fx specular = frame->scene->water.specular;
 
-    if (g->model == scene->light.model && g->shininess == shininess
-        && g->specular == specular)
-        return;
-    if (scene->light.model == TP_LIGHT_BLINN)
-        tp_shade_shine_blinn(g->shine, shininess, specular);
+    (void)from;
+    if (frame->scene->light.model == TP_LIGHT_BLINN)
+        tp_shade_shine_blinn(entries, shininess, specular);
     else
-        tp_shade_shine(g->shine, shininess, specular);
-    g->model = scene->light.model;
-    g->shininess = shininess;
-    g->specular = specular;
+        tp_shade_shine(entries, shininess, specular);
 }
+
+const struct tp_draw_shine tp_draw_shine = { { make_shine } };
 
 static void begin_glint(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
-    glint *g = mine;
+    const int32_t numbers[] = { scene->light.model, scene->water.shininess,
+                                scene->water.specular };
+    const glint *g = mine;
 
-    make_shine(g, scene);
-    frame->shade.shine = g->shine;
-    frame->shade.dark = count_dark_entries(g->shine);
+    frame->shade.shine = tp_frame_table(frame, TP_TABLE_shine, g->shine, numbers,
+                                        TP_TABLE_MAKER(frame->program->draw.shine), NULL);
+    frame->shade.dark = count_dark_entries(frame->shade.shine);
     frame->shade.lobe = tp_lobe_form_make(scene->water.shininess, scene->water.specular);
 }
 
@@ -358,6 +355,5 @@ static void add_glint_stage(const tp_frame *frame, const void *mine, const tp_st
 }
 
 const tp_drawing tp_glint_drawing = {
-    .layout = layout_glint, .init = init_glint, .begin = begin_glint,
-    .stages = add_glint_stage,
+    .layout = layout_glint, .begin = begin_glint, .stages = add_glint_stage,
 };
