@@ -85,8 +85,9 @@ size_t tp_engine_bytes(const tp_config *config, const tp_scene *scene);
 tp_status tp_engine_init(tp_engine **engine, const tp_config *config,
                          const tp_scene *scene, void *memory, size_t bytes, tp_error *err);
 
-/* Advances the water by 1/60 s times the scene's clock.scale.  NULL input: no input. */
-void tp_engine_step(tp_engine *engine, const tp_input *input);
+/* Advances the water by 1/60 s times the scene's clock.scale.  NULL input: no input.
+ * Returns the name of a part that the program lacks, as tp_world_step. */
+const char *tp_engine_step(tp_engine *engine, const tp_input *input);
 
 /* tp_engine_begin begins a picture of the water in its present state.  tp_engine_next_tile
  * draws the next tile, from left to right and from top to bottom, and returns false after

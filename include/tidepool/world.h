@@ -83,9 +83,11 @@ tp_status tp_world_check(const tp_program *program, const tp_world *world, size_
                          const tp_world *fresh, tp_error *err);
 
 /* Advances the world by one tick.  `input` may be NULL.  After a change of the scene's
- * numbers call tp_world_apply first. */
-void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
-                   const tp_input *input);
+ * numbers call tp_world_apply first.  Returns the name of a part that the input needs and
+ * the program lacks: "steering" if the input moves the camera or the clock; then they stay.
+ * NULL: the program lacks none. */
+const char *tp_world_step(const tp_program *program, tp_world *world,
+                          const tp_scene *scene, const tp_input *input);
 
 /* Pushes the water at (x, z), m, at once.  Call between ticks, any number of times.
  *  - In the pool, else in the field: a splash `height` m high or deep and `radius` m

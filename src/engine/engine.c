@@ -106,11 +106,17 @@ tp_status tp_engine_init(tp_engine **out, const tp_config *config, const tp_scen
     return TP_OK;
 }
 
-void tp_engine_step(tp_engine *engine, const tp_input *input)
+const char *tp_engine_step(tp_engine *engine, const tp_input *input)
 {
     TP_ASSERT(engine != NULL);
-    for (uint32_t n = tp_world_advance_clock(engine->world); n > 0; n--, input = NULL)
-        tp_world_step(engine->config.program, engine->world, engine->scene, input);
+    const char *lacks = NULL;
+
+    for (uint32_t n = tp_world_advance_clock(engine->world); n > 0; n--, input = NULL) {
+        const char *own =
+            tp_world_step(engine->config.program, engine->world, engine->scene, input);
+        lacks = lacks ? lacks : own;
+    }
+    return lacks;
 }
 
 void tp_engine_begin(tp_engine *engine)

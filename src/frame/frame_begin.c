@@ -26,6 +26,20 @@ static void set_water_surface(tp_frame *frame)
     tp_frame_add_displacements(frame, surface);
 }
 
+/* Without samples, things in the water take swells for level. */
+static void check_samples(tp_frame *frame)
+{
+    const tp_program *program = frame->program;
+    const tp_surface *surface = &frame->surface;
+
+    if (surface->by->samples || surface->coastal || !tp_surface_has_swells(surface))
+        return;
+    const tp_module_conditions conditions = tp_frame_module_conditions(
+        program, &frame->buffers, frame->scene, &frame->assets, &frame->config);
+    if (tp_modules_is_any_active(program->modules, &conditions, TP_MODULE_SAMPLES))
+        tp_frame_count_lack(frame, TP_LACKING_SAMPLES);
+}
+
 tp_surface tp_frame_surface_with_all_pools(const tp_frame *frame)
 {
     tp_surface surface = frame->surface;
@@ -63,6 +77,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     frame->drawn = tp_program_interpolate(frame->program, world);
     tp_frame_enable_modules(frame);
     set_water_surface(frame);
+    check_samples(frame);
     tp_projection_init_turned(
         &frame->projection, frame->drawn.camera.eye, frame->drawn.camera.turn,
         scene->camera.fov, scene->camera.near, frame->config.width, frame->config.height);

@@ -85,7 +85,8 @@ void tp_frame_place_grid_line(tp_frame *frame, uint32_t j)
 
 static void place_water(tp_frame *frame)
 {
-    frame->stats.dropped += !frame->program->draw.cells;
+    if (!frame->program->draw.cells)
+        tp_frame_count_lack(frame, TP_LACKING_CELLS);
     tp_frame_begin_grid(frame);
     for (uint32_t j = 0; j < frame->buffers.grid->rows; j++)
         tp_frame_place_grid_line(frame, j);

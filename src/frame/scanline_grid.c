@@ -336,7 +336,8 @@ static void set_row(tp_frame *frame, uint32_t k)
         return;
     if (has_cell_to_clip(frame, k)) {
         line->is |= TP_LINE_CUT;
-        frame->stats.dropped += !frame->program->draw.cells;
+        if (!frame->program->draw.cells)
+            tp_frame_count_lack(frame, TP_LACKING_CELLS);
     }
     if (has_line_end_on_screen(frame, k))
         line->is |= TP_LINE_SIDED;

@@ -66,6 +66,7 @@ enum {
     TP_MODULE_COASTAL = 2048,   /* waves depend on a floor or on wind */
     TP_MODULE_MIRROR = 4096,    /* planar reflection of solid objects */
     TP_MODULE_OUTLINES = 8192,  /* outlines of meshes by coverage */
+    TP_MODULE_SAMPLES = 32768,  /* asks for the water above positions, by tp_water_samples */
     TP_MODULE_CLEAR  = 16384    /* shows the floor through the water; its fast stage lights
                                  * the water */
 };

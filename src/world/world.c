@@ -247,11 +247,17 @@ static void steer(tp_world *world, const tp_input *input)
 
 const struct tp_steering tp_world_steering = { steer };
 
+/* True if an input moves the camera or the clock. */
+static bool steers(const tp_input *in)
+{
+    return in->forward | in->strafe | in->up | in->turn | in->tilt | in->slowdown;
+}
+
 /* -- a tick -------------------------------------------------------------------------- */
 
 /* Advances by one tick. Each module sees the water of the last tick; pools move last. */
-void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *scene,
-                   const tp_input *input)
+const char *tp_world_step(const tp_program *program, tp_world *world,
+                          const tp_scene *scene, const tp_input *input)
 {
     TP_ASSERT(scene != NULL && world != NULL && world->layout.bytes > 0);
 
@@ -263,6 +269,7 @@ void tp_world_step(const tp_program *program, tp_world *world, const tp_scene *s
     tp_deep_water_phases(&world->deep, world->tick, 0, world->phases);
     tp_light_step(world, scene, input);
     tp_modules_step(program, world, scene, input);
+    return input && !program->steering && steers(input) ? "steering" : NULL;
 }
 
 /* Returns the number of ticks needed to draw at the clock's time. */

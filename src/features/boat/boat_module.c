@@ -275,7 +275,8 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 }
 
 const tp_module tp_hull_module = {
-    .name = "hull", .id = TP_MODULE_ID('h', 'u', 'l', 'l'), .enabled = tp_hull_enabled,
+    .name = "hull", .id = TP_MODULE_ID('h', 'u', 'l', 'l'), .is = TP_MODULE_SAMPLES,
+    .enabled = tp_hull_enabled,
     .settle = place_floating, .step = step, .carry = tp_camera_carry, .is_valid = is_valid,
 };
 

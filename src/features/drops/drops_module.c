@@ -354,7 +354,7 @@ static void add_detail(const tp_scene *scene, bool flat, tp_water_detail *detail
 const tp_module tp_drops_module = {
     .name = "drops",
     .id = TP_DROPS_ID,
-    .is = TP_MODULE_SOLID | TP_MODULE_DRAWS(DROP),
+    .is = TP_MODULE_SOLID | TP_MODULE_SAMPLES | TP_MODULE_DRAWS(DROP),
     .enabled = tp_drops_enabled,
     .bytes = bytes,
     .init = init,

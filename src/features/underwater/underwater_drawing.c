@@ -101,8 +101,8 @@ static bool is_eye_submerged(tp_frame *frame)
     if (tp_frame_has_tank(frame)
         && (eye.x <= r.x0 || eye.x >= r.x1 || eye.z <= r.z0 || eye.z >= r.z1))
         return false;
-    frame->stats.dropped +=
-        tp_surface_has_swells(&frame->surface) && !frame->surface.by->samples;
+    if (tp_surface_has_swells(&frame->surface) && !frame->surface.by->samples)
+        tp_frame_count_lack(frame, TP_LACKING_SAMPLES);
     return eye.y < tp_surface_sample(&frame->surface, eye.x, eye.z, NULL).position.y;
 }
 
