@@ -99,6 +99,10 @@ typedef struct {
  * made anew. */
 extern const struct tp_water_swells tp_water_few_swells;
 
+/* The same for programs with a baked world (tp_program.world): links no code that makes
+ * waves, so that only that world can be made; tp_world_apply returns false. */
+extern const struct tp_water_swells tp_water_baked_swells;
+
 /* -- water renderers and cheaper drawing; src/frame/frame.h --------------------------- */
 
 #define TP_DRAW_LIST(X) \
@@ -410,6 +414,7 @@ typedef struct tp_program {
     tp_status (*refuse)(const struct tp_program *program, const struct tp_scene *scene,
                         const struct tp_assets *assets, tp_error *err);
     const tp_lack *lacks;       /* ends with { 0 }; NULL: none */
+    const tp_baked_world *world;    /* NULL: tp_world_init makes it */
 } tp_program;
 
 extern const struct tp_steering tp_world_steering;

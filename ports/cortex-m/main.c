@@ -111,8 +111,7 @@ static void *take(tp_arena *arena, size_t bytes, const char *what)
 
 int main(void)
 {
-    const size_t world_bytes =
-        tp_world_bytes(&baked_program, &baked_scene, &baked_assets);
+    const size_t world_bytes = baked_world_bytes;
     tp_arena  arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
     const size_t bytes = tp_frame_bytes(&baked_config, &baked_scene);
     void *block = take(&arena, bytes, "the frame does not fit: ");
@@ -124,8 +123,7 @@ int main(void)
 
     if (tp_frame_init(&frame, &baked_config, &baked_scene, block, bytes, &err))
         semihost_stop("the frame cannot be made");
-    if (tp_world_init(&baked_program, world, world_bytes, &baked_scene, &baked_assets,
-                      &err))
+    if (baked_world_init(world, world_bytes, &err))
         semihost_stop("the world cannot be made");
     for (uint32_t n = 0; n < BOARD_FIRST; n++)
         tp_world_step(&baked_program, world, &baked_scene, NULL);

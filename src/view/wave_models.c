@@ -214,6 +214,8 @@ const struct tp_water_swells tp_water_few_swells = {
     .init = tp_deep_water_init_compact, .few = true,
 };
 
+const struct tp_water_swells tp_water_baked_swells = { .few = true };
+
 const struct tp_water_samples tp_water_samples = { tp_deep_water_sample };
 
 const struct tp_water_points tp_water_points = { tp_level_sample_surface };

@@ -129,7 +129,7 @@ struct tp_water_pools {
 
 struct tp_water_swells {
     void (*init)(tp_deep_water *deep, const tp_wave *waves, uint32_t count,
-                 tp_fx gravity);
+                 tp_fx gravity);    /* NULL: the world is baked */
     bool few;                   /* true: memory for the scene's own swells only */
 };
 

@@ -110,6 +110,25 @@ static void init_deep_water_and_phases(const tp_program *program, tp_world *worl
     tp_deep_water_phases(&world->deep, world->tick, 0, world->phases);
 }
 
+tp_status tp_world_copy(tp_world *world, size_t bytes, const tp_baked_world *baked,
+                        tp_error *err)
+{
+    const tp_status status = tp_pointer_check_aligned(world, 8, "world", err);
+
+    if (status != TP_OK)
+        return status;
+    if (bytes < baked->bytes)
+        return TP_FAIL(err, TP_E_NOSPACE, 0, baked->bytes, bytes);
+    memcpy(world, baked->words, baked->bytes);
+    return TP_OK;
+}
+
+/* True if the program can make the deep water of any scene. */
+static bool can_make_deep_water(const tp_program *program)
+{
+    return !program->water.swells || program->water.swells->init;
+}
+
 tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes,
                         const tp_scene *scene, const tp_assets *assets, tp_error *err)
 {
@@ -118,6 +137,10 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
 
     program = tp_program_or_linked(program);
 
+    if (TP_WORLD_IS_BAKED && program->world && program->world->scene == scene)
+        return tp_world_copy(world, bytes, program->world, err);
+    if (status == TP_OK && !can_make_deep_water(program))
+        status = tp_program_fail_lacking("swells", err);
     if (status == TP_OK)
         status = world_layout_measure(program, &layout, scene, assets, err);
     if (status != TP_OK)
@@ -151,7 +174,8 @@ bool tp_world_apply(const tp_program *program, tp_world *world, const tp_scene *
         tp_world_module_conditions(program, scene, assets);
     tp_world_layout layout;
 
-    if (world_layout_measure(program, &layout, scene, assets, NULL) != TP_OK
+    if (!can_make_deep_water(program)
+        || world_layout_measure(program, &layout, scene, assets, NULL) != TP_OK
         || memcmp(&layout, &world->layout, sizeof layout) != 0
         || !tp_modules_fit(program, world, conditions))
         return false;

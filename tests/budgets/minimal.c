@@ -39,14 +39,14 @@ static int run(void)
     uint8_t *at = arena_start;
     size_t block = tp_frame_bytes(config, &baked_scene);
     size_t scratch = tp_frame_scratch_bytes(config, &baked_scene);
-    size_t bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
+    size_t bytes = baked_world_bytes;
     tp_world *world = (tp_world *)(void *)(at + ((block + 7) & ~(size_t)7));
     tp_frame *frame;
 
     at = (uint8_t *)world + ((bytes + 7) & ~(size_t)7);
     if (tp_frame_init(&frame, config, &baked_scene, arena_start,
                       tp_frame_bytes(config, &baked_scene), NULL)
-        || tp_world_init(program, world, bytes, &baked_scene, &baked_assets, NULL))
+        || baked_world_init(world, bytes, NULL))
         return 1;
     semihost_write("size 320x240\n");
     for (uint32_t n = 0; n < FRAMES; n++) {

@@ -13,6 +13,7 @@
 #include "app/scene/loaded_scene.h"
 #include "bake_assets.h"
 #include "bake_program.h"
+#include "bake_world.h"
 
 #define IDENTIFIER_BYTES 48
 
@@ -110,8 +111,11 @@ static void put_head(const bake *b, const options *o, const loaded_scene *s)
     if (b->program)
         fprintf(b->out,
                 " *     extern const tp_program %s_program;\n"
-                " *     extern const tp_config %s_config;\n",
-                b->name, b->name);
+                " *     extern const tp_config %s_config;\n"
+                " *     extern const size_t %s_world_bytes;\n"
+                " *     tp_status %s_world_init(tp_world *world, size_t bytes,"
+                " tp_error *err);\n",
+                b->name, b->name, b->name, b->name);
     fprintf(b->out, " *\n");
     put_contents(b, &s->assets.names);
     fprintf(b->out, "#include <tidepool/modules.h>\n");
@@ -142,7 +146,7 @@ static void put_assets(const bake *b, const tp_assets *names)
     fprintf(b->out, "};\n");
 }
 
-static void put_all(const bake *b, const options *o, const loaded_scene *s)
+static int put_all(const bake *b, const options *o, const loaded_scene *s)
 {
     const tp_assets *names = &s->assets.names;
     put_head(b, o, s);
@@ -157,8 +161,13 @@ static void put_all(const bake *b, const options *o, const loaded_scene *s)
     if (names->tables)
         bake_tables_write(b->out, b->name, &b->program->tables);
     put_assets(b, names);
-    if (b->program)
-        bake_put_program(b->program, b->out, b->name);
+    if (!b->program)
+        return EXIT_DONE;
+    const int code = bake_put_world(b->program, names, b->out, b->name);
+    const bool copied = bake_world_is_copied(b->program, names);
+    bake_put_program(b->program, b->out, b->name, copied);
+    bake_put_world_init(b->program, names, b->out, b->name);
+    return code;
 }
 
 /* -- the command --------------------------------------------------------------------- */
@@ -166,12 +175,13 @@ static void put_all(const bake *b, const options *o, const loaded_scene *s)
 static int write_file(bake *b, const options *o, const loaded_scene *s)
 {
     output_file out;
-    const int code = output_file_open(&out, o->out);
+    int code = output_file_open(&out, o->out);
     if (code)
         return code;
     b->out = out.file;
-    put_all(b, o, s);
-    return output_file_close(&out);
+    code = put_all(b, o, s);
+    const int closed = output_file_close(&out);
+    return code ? code : closed;
 }
 
 /* Loads the scene together with its world: a scene with an impossible world is refused

@@ -142,8 +142,8 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                     .format = o->format },
         /* With --with, scenes can switch on more at run time: scenes are checked, and the
          * program has room for waves beyond the scene's own. */
-        .terms = { o->format, o->stream, !o->with, o->with != NULL,
-                   !o->no_input },
+        .terms = { .format = o->format, .streams = o->stream, .few = !o->with,
+                   .checks = o->with != NULL, .steers = !o->no_input },
         .acts = !o->no_input,
         .worlds = worlds,
     };
@@ -202,7 +202,7 @@ void bake_put_pieces(const bake_program *p, FILE *out)
     fprintf(out, "\n");
 }
 
-void bake_put_program(const bake_program *p, FILE *out, const char *name)
+void bake_put_program(const bake_program *p, FILE *out, const char *name, bool world)
 {
     const tp_config *c = &p->request.config;
     static const char *const format[] = {
@@ -211,7 +211,9 @@ void bake_put_program(const bake_program *p, FILE *out, const char *name)
 #undef X
     };
 
-    components_write(out, name, &p->found.in, &p->found.refused, &p->request.terms);
+    component_terms terms = p->request.terms;
+    terms.world = world;
+    components_write(out, name, &p->found.in, &p->found.refused, &terms);
     fprintf(out,
             "\nextern const tp_config %s_config;\nconst tp_config %s_config = {\n"
             "    .width = %" PRIu32 ", .height = %" PRIu32 ", .tile_width = %" PRIu32

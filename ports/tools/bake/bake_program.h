@@ -32,7 +32,8 @@ int  bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
 
 void bake_close_program(bake_program *p);
 
-/* Write the components as lines of the file's head, and the list. */
+/* Write the components as lines of the file's head, and the list; world: the program has the
+ * constant NAME_world. */
 void bake_put_pieces(const bake_program *p, FILE *out);
-void bake_put_program(const bake_program *p, FILE *out, const char *name);
+void bake_put_program(const bake_program *p, FILE *out, const char *name, bool world);
 #endif

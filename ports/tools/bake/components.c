@@ -277,13 +277,12 @@ const char *component_kind_name(size_t i)
 static const char *piece_symbol(size_t i, const component_terms *terms)
 {
     const char *name = components[i].name;
-    if (components[i].kind == COMPONENT_METHOD && terms->streams
-        && !strcmp(name, "triangles"))
+    if (is_named(i, COMPONENT_METHOD, "triangles") && terms->streams)
         return "streamed";
-    if (components[i].kind == COMPONENT_METHOD && terms->streams && !strcmp(name, "walk"))
+    if (is_named(i, COMPONENT_METHOD, "walk") && terms->streams)
         return "streamed_walk";
-    if (components[i].kind == COMPONENT_WATER && terms->few && !strcmp(name, "swells"))
-        return "few_swells";
+    if (is_named(i, COMPONENT_WATER, "swells") && terms->few)
+        return terms->world && !terms->steers ? "baked_swells" : "few_swells";
     return name;
 }
 
@@ -394,6 +393,8 @@ void components_write(FILE *out, const char *name, const component_set *of,
         write_kind(out, of, terms, (component_kind)kind);
     if (refuses)
         fprintf(out, "    .refuse = tp_lacks_check,\n    .lacks = %s_lacks,\n", name);
+    if (terms->world)
+        fprintf(out, "    .world = &%s_world,\n", name);
     fprintf(out, "    .store = { %s },\n    .modules = %s_modules\n};\n",
             word[terms->format], name);
 }

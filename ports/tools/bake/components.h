@@ -34,6 +34,7 @@ typedef struct {
     bool      streams;          /* grid vertices are not stored: tp_method_streamed */
     bool      few;              /* room for the scene's waves only: tp_water_few_swells */
     bool      checks;           /* scenes are checked: tp_scene_check */
+    bool      world;            /* as text: the world is NAME_world */
     bool      steers;           /* input moves the camera: tp_world_steering */
 } component_terms;
 
