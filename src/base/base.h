@@ -55,7 +55,7 @@ static inline uint32_t tp_random(uint32_t *state)
 
 /* TP_ALWAYS_INLINE forces inlining of a function that takes literal flags.  Plain `inline` at
  * -Os leaves the tests of the flags inside the loop.  TP_NEVER_INLINE keeps the arrays of a
- * function off the stack of its caller's other calls. */
+ * function off the stack of its caller's other calls, or one copy of a function. */
 #if defined(__GNUC__)
 #define TP_ALWAYS_INLINE static inline __attribute__((always_inline))
 #define TP_NEVER_INLINE static __attribute__((noinline))

@@ -208,10 +208,9 @@ TP_ALWAYS_INLINE tp_edge fill_rows(const triangle *t, int32_t y, int32_t stop,
 {
     tp_edge_advance(&other, y);
     for (; y < stop; y++) {
-        if (t->long_left)
-            fill_row(t, y, along.pixel, other.pixel, outlined);
-        else
-            fill_row(t, y, other.pixel, along.pixel, outlined);
+        const int32_t left = t->long_left ? along.pixel : other.pixel;
+        const int32_t right = t->long_left ? other.pixel : along.pixel;
+        fill_row(t, y, left, right, outlined);
         tp_edge_step(&along);
         tp_edge_step(&other);
     }

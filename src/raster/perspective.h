@@ -1,11 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* Internals shared by the files of raster/tri.h: perspective of s and t in large
- * triangles.  s and t are exact every TP_SPAN_STEP pixels (at multiples and at the ends of
- * the row) and linear between.  The compiler decides what it inlines: src/raster/span.c
- * alone includes this file. */
+/* Planes of s and t, and their perspective in large triangles: s and t are exact every
+ * TP_SPAN_STEP pixels (at multiples and at the ends of the row) and linear between.
+ * src/raster/span.c alone includes this file. */
 #ifndef TP_RASTER_PERSPECTIVE_H
 #define TP_RASTER_PERSPECTIVE_H
-#include "raster/tri.h"
+#include "raster/tri_begin.h"
+
+/* Return the plane of s or t, as tp_tri_gradient does for other quantities.  Differences
+ * have up to 33 bits, in few triangles more than 32: each product has 33 + 29 bits, their
+ * sum 63. */
+TP_NEVER_INLINE tp_gradient gradient_far(const tp_tri *tri, int32_t at_a, int64_t d1,
+                                         int64_t d2)
+{
+    return tp_tri_gradient_scale(tri, at_a, d1 * tri->cx1 + d2 * tri->cx2,
+                                 d1 * tri->cy1 + d2 * tri->cy2, 0);
+}
+
+TP_ALWAYS_INLINE tp_gradient gradient_wide(const tp_tri *tri, int32_t at_a, int32_t at_b,
+                                           int32_t at_c)
+{
+    const int64_t d1 = (int64_t)at_b - at_a, d2 = (int64_t)at_c - at_a;
+
+    if (d1 == (int32_t)d1 && d2 == (int32_t)d2)
+        return tp_tri_gradient(tri, at_a, (int32_t)d1, (int32_t)d2, 0);
+    return gradient_far(tri, at_a, d1, d2);
+}
 
 /* Additional fraction bits of w, s w and t w. */
 #define TP_PERSPECTIVE_BITS 8
@@ -22,6 +41,12 @@ static int32_t times_w(int32_t d, uint32_t w_q29)
     return (int32_t)((int64_t)d * w_q29 >> 29);
 }
 
+/* Called, not inlined: large triangles are few. */
+TP_NEVER_INLINE tp_gradient perspective_gradient(const tp_tri *tri, const int32_t at[3])
+{
+    return tp_tri_gradient(tri, at[0], at[1] - at[0], at[2] - at[0], TP_PERSPECTIVE_BITS);
+}
+
 static tp_perspective make_perspective(const tp_tri *tri)
 {
     const tp_screen_vertex *p[3] = { tri->a, tri->b, tri->c };
@@ -36,9 +61,9 @@ static tp_perspective make_perspective(const tp_tri *tri)
         tw[i] = times_w(p[i]->t - p[0]->t, wi);
     }
     return (tp_perspective){
-        .w = tp_tri_gradient(tri, w[0], w[1] - w[0], w[2] - w[0], TP_PERSPECTIVE_BITS),
-        .sw = tp_tri_gradient(tri, 0, sw[1], sw[2], TP_PERSPECTIVE_BITS),
-        .tw = tp_tri_gradient(tri, 0, tw[1], tw[2], TP_PERSPECTIVE_BITS),
+        .w = perspective_gradient(tri, w),
+        .sw = perspective_gradient(tri, sw),
+        .tw = perspective_gradient(tri, tw),
         .s0 = (uint32_t)p[0]->s,
         .t0 = (uint32_t)p[0]->t,
     };

@@ -115,7 +115,7 @@ TP_ALWAYS_INLINE void fill_span(span *sp, int kind)
 
 typedef struct {
     const tp_tri *tri;
-    tp_gradient zi, s, t, n0, n1, n2;   /* s, t: for affine triangles */
+    tp_gradient zi, s, t, n[3]; /* s, t: for affine triangles */
     tp_perspective persp;
     uint32_t mark, face, pattern_rows;
 } span_painter;
@@ -179,11 +179,11 @@ TP_ALWAYS_INLINE void fill_row(const span_painter *p, const tp_gbuffer *tile, in
         .key = tile->key + at, .s_out = tile->s + at, .t_out = tile->t + at,
         .n_out = tile->n + at, .mark = p->mark, .x = x, .count = end - x,
         .zi = make_walker(&p->zi, dx, dy),
-        .n0 = make_walker(&p->n0, dx, dy),
-        .n1 = make_walker(&p->n1, dx, dy),
+        .n0 = make_walker(&p->n[0], dx, dy),
+        .n1 = make_walker(&p->n[1], dx, dy),
     };
     if (kind == SOLID) {
-        sp.n2 = make_walker(&p->n2, dx, dy);
+        sp.n2 = make_walker(&p->n[2], dx, dy);
         sp.face = p->face;
         sp.outline = tile->outline ? tile->outline - tile->key : 0;
         sp.window = tile->outline_shift;
@@ -215,10 +215,9 @@ TP_ALWAYS_INLINE void fill_triangle_rows(const span_painter *p, const tp_gbuffer
         tp_edge other = half == 0 && y < tri->middle ? tri->upper : tri->lower;
         tp_edge_advance(&other, y);
         for (; y < stop; y++) {
-            if (tri->long_left)
-                fill_row(p, tile, y, along.pixel, other.pixel, kind, exact);
-            else
-                fill_row(p, tile, y, other.pixel, along.pixel, kind, exact);
+            const int32_t left = tri->long_left ? along.pixel : other.pixel;
+            const int32_t right = tri->long_left ? other.pixel : along.pixel;
+            fill_row(p, tile, y, left, right, kind, exact);
             tp_edge_step(&along);
             tp_edge_step(&other);
         }
@@ -248,8 +247,8 @@ TP_ALWAYS_INLINE void set_depth_and_st_gradients(span_painter *p, bool exact)
     if (exact) {
         p->persp = make_perspective(tri);
     } else {
-        p->s = tp_tri_gradient_wide(tri, tri->a->s, tri->b->s, tri->c->s);
-        p->t = tp_tri_gradient_wide(tri, tri->a->t, tri->b->t, tri->c->t);
+        p->s = gradient_wide(tri, tri->a->s, tri->b->s, tri->c->s);
+        p->t = gradient_wide(tri, tri->a->t, tri->b->t, tri->c->t);
     }
 }
 
@@ -265,8 +264,8 @@ void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
     p.tri = &tri;
     p.mark = TP_MARK_WATER;
     set_depth_and_st_gradients(&p, exact);
-    p.n0 = normal_gradient(&tri, 0, SLOPE_SHIFT);
-    p.n1 = normal_gradient(&tri, 1, SLOPE_SHIFT);
+    p.n[0] = normal_gradient(&tri, 0, SLOPE_SHIFT);
+    p.n[1] = normal_gradient(&tri, 1, SLOPE_SHIFT);
     if (exact)
         fill_triangle_rows(&p, tile, WATER, 1);
     else
@@ -315,9 +314,9 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
     p.face = face;
     p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
     set_depth_and_st_gradients(&p, exact);
-    p.n0 = normal_gradient(&tri, 0, NORMAL_SHIFT);
-    p.n1 = normal_gradient(&tri, 1, NORMAL_SHIFT);
-    p.n2 = normal_gradient(&tri, 2, NORMAL_SHIFT);
+    p.n[0] = normal_gradient(&tri, 0, NORMAL_SHIFT);
+    p.n[1] = normal_gradient(&tri, 1, NORMAL_SHIFT);
+    p.n[2] = normal_gradient(&tri, 2, NORMAL_SHIFT);
     if (exact)
         fill_triangle_rows(&p, tile, SOLID, 1);
     else

@@ -9,7 +9,7 @@
 #include "../reference/triangle.h"
 #include "tests/lib/measure.h"
 #include "tests/lib/random.h"
-#include "raster/tri.h"
+#include "raster/tri_begin.h"
 #include "tests/lib/frames.h"
 
 enum { WIDTH = 256, HEIGHT = 160 };
