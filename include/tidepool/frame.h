@@ -114,6 +114,8 @@ typedef struct {
     uint32_t    x0, y0, x1, y1;     /* x1, y1 excluded */
     const void *pixels;             /* row y0, from column x0 */
     size_t      stride;             /* bytes from row to row */
+    uint32_t    dropped;            /* number of triangles left out: the program lacks the
+                                     * part that draws them */
 } tp_tile;
 
 /* Counts of the picture begun last. */

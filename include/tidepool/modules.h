@@ -80,7 +80,9 @@ TP_FORMAT_LIST(X)
     X(coastal)      /* coastal water: over a floor or in a wind; needs swells */ \
     X(rings) X(pools) \
     X(samples)      /* swells above a position: for things in the water, eyes near it */ \
-    X(points)       /* swells of level water: for projected, flat and walk */
+    X(points)       /* swells of level water: for projected, flat and walk */ \
+    /* sources of foam: over a floor or in a wind, pools' walls, hulls; foam.slices > 1 */ \
+    X(foam_coast) X(foam_walls) X(foam_hull) X(foam_slices)
 
 #define X(name) extern const struct tp_water_##name tp_water_##name;
 TP_WATER_LIST(X)
@@ -107,6 +109,7 @@ extern const struct tp_water_swells tp_water_baked_swells;
 
 #define TP_DRAW_LIST(X) \
     X(cells)            /* triangles of the grid: all, or the cells that rows must clip */ \
+    X(exact_triangles)  /* the water's: all, or those that fast triangles cannot draw */ \
     X(culling)          /* waves too faint to be seen are not drawn */ \
     X(row_sides)        /* rows that end in the picture */ \
     X(row_middles)      /* middle lines of rows of wide cells */ \
@@ -120,6 +123,7 @@ extern const struct tp_water_swells tp_water_baked_swells;
     X(baking)           /* fast water's textures, if the assets have none */ \
     X(cube_map)         /* fast water's map of a cube sky */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \
+    X(fast_solids)      /* the boat's, for quality.solids */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
     X(fast_waves)       /* vertices in 32 bits, for quality.waves */ \
     X(packed_rows)      /* means of rgb565 pixels, for quality.blending */ \

@@ -29,7 +29,7 @@ TRACE_MARK(count_end)
 /* -- drawing and reports ------------------------------------------------------------- */
 
 typedef struct {
-    uint32_t crc, water;
+    uint32_t crc, water, dropped;
 } picture_sums;
 
 static picture_sums draw(tp_frame *frame, void *scratch, const tp_world *world)
@@ -44,6 +44,7 @@ static picture_sums draw(tp_frame *frame, void *scratch, const tp_world *world)
         count_end();
         p.crc = frame_crc_add_tile(p.crc, &baked_config, &tile);
         p.water += tp_frame_water_pixels(frame, scratch, &tile);
+        p.dropped += tile.dropped;
         count_as_tiles();
     }
     count_end();
@@ -64,7 +65,7 @@ static void say_frame(uint32_t n, const picture_sums *p, tp_draw_stats held)
     semihost_decimal("\nwater ", p->water);
     semihost_decimal(" vertices ", held.vertices);
     semihost_decimal(" triangles ", held.triangles);
-    semihost_decimal(" dropped ", held.dropped);
+    semihost_decimal(" dropped ", held.dropped + p->dropped);
     semihost_write("\n");
 }
 

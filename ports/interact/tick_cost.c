@@ -195,7 +195,7 @@ static void add_foam(tick_work *work, const tp_world *world, const tp_scene *sce
 
     if (!foam)
         return;
-    tp_foam_maker_begin(&m, foam, world, scene);
+    tp_foam_maker_begin(&m, foam, &tp_program_all.water, world, scene);
     const uint64_t n = foam->slices;
     const uint64_t visits = (uint64_t)foam->cells * foam->cells / TP_FOAM_TICKS;
     const uint64_t walls = m.pool ? WALL : 0, hull = hull_cost(&m, foam, visits);

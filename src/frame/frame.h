@@ -78,7 +78,8 @@ struct tp_frame {
     tp_rungs         asked;             /* by a tool, if `steered` */
     bool             steered;
     tp_visibility    visibility;        /* water renderer of this frame */
-    tp_cell_drawer  *draw_cell;         /* of the water, by quality.triangles */
+    tp_cell_drawer  *draw_cell;         /* of the water, by quality.triangles; NULL: exact */
+    tp_triangle_drawer *draw_triangle;  /* of the water; NULL: the program lacks it */
 
     const struct tp_draw_half_lines *half_lines;    /* named at init; NULL: none */
     uint32_t         extra_rows;        /* of a tile's samples, for half_lines */
@@ -335,7 +336,6 @@ struct tp_draw_row_land {
  * it, or stored lines.  Without this part no triangles are drawn: a frame that
  * needs some counts as dropped. */
 struct tp_draw_cells {
-    tp_cell_drawer *draw_cell;          /* the exact one */
     void (*draw_row)(const tp_frame *frame, const tp_gbuffer *tile, tp_grid_window *window,
                      uint32_t j);
     tp_grid_box (*box)(tp_frame *frame, uint32_t j, uint32_t first, uint32_t end);
@@ -359,6 +359,12 @@ struct tp_draw_tone_rgb565 {
 };
 struct tp_draw_tone_rgb565be {
     tp_tone_mapped_store *store;
+};
+
+/* The water's triangles by exact arithmetic, which large and clipped cells need at any rung.
+ * A tile counts each cell half that lacks it. */
+struct tp_draw_exact_triangles {
+    tp_triangle_drawer *draw;
 };
 
 /* The water's triangles by cheaper arithmetic, for quality.triangles = fast. */

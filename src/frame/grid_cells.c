@@ -76,8 +76,9 @@ static void draw_clipped_cell(const tp_frame *frame, const tp_gbuffer *tile,
 
     for (int half = 0; half < 2; half++) {
         int count = clip_cell_half(frame, run, i, half, corner);
-        for (int k = 2; k < count; k++)
-            tp_tri_water(tile, &corner[0], &corner[k - 1], &corner[k]);
+        for (int k = 2; k < count && frame->draw_triangle; k++)
+            frame->draw_triangle(tile, &corner[0], &corner[k - 1], &corner[k]);
+        *tile->dropped += count > 2 && !frame->draw_triangle;
     }
 }
 
@@ -159,7 +160,14 @@ static void draw_cells(const tp_frame *frame, const tp_gbuffer *tile,
         }
         make_corners(left, grid, window, i, j);
         make_corners(right, grid, window, i + 1, j);
-        frame->draw_cell(tile, left->corner, right->corner);
+        const uint32_t exact =
+            frame->draw_cell ? frame->draw_cell(tile, left->corner, right->corner)
+                             : TP_CELL_WHOLE;
+        if (exact && frame->draw_triangle)
+            tp_cell_draw_halves(frame->draw_triangle, tile, left->corner, right->corner,
+                                exact);
+        else
+            *tile->dropped += exact != 0;
     }
 }
 
@@ -214,6 +222,6 @@ static tp_grid_box cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32
     return box;
 }
 
-const struct tp_draw_cells tp_draw_cells = {
-    .draw_cell = tp_cell_water, .draw_row = draw_row, .box = cells_box,
-};
+const struct tp_draw_cells tp_draw_cells = { .draw_row = draw_row, .box = cells_box };
+
+const struct tp_draw_exact_triangles tp_draw_exact_triangles = { tp_tri_water };

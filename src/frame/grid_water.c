@@ -57,12 +57,12 @@ static void choose_weights(const tp_frame *frame, tp_grid *grid)
 void tp_frame_begin_grid(tp_frame *frame)
 {
     const struct tp_draw_fast_triangles *fast = frame->program->draw.fast_triangles;
-    const struct tp_draw_cells *cells = frame->program->draw.cells;
+    const struct tp_draw_exact_triangles *exact = frame->program->draw.exact_triangles;
     tp_grid *grid = frame->buffers.grid;
 
     frame->draw_cell = fast && frame->scene->quality.triangles == TP_RUNG_FAST
-                           ? fast->draw_cell
-                       : cells ? cells->draw_cell : NULL;
+                           ? fast->draw_cell : NULL;
+    frame->draw_triangle = exact ? exact->draw : NULL;
     choose_vertices(frame, grid);
     choose_weights(frame, grid);
     tp_grid_place_rows(grid, &frame->grid_view);

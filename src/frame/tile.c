@@ -11,7 +11,7 @@ static size_t plane_size(const tp_frame *frame)
     return (size_t)c->tile_width * (c->tile_height + frame->extra_rows);
 }
 
-static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_tile *tile)
+static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, tp_tile *tile)
 {
     const tp_line_bounds rows = tp_frame_line_bounds(frame, tile);
     const size_t plane = plane_size(frame);
@@ -19,6 +19,7 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, const tp_ti
     tp_gbuffer samples = {
         (int32_t)tile->x0, rows.y0, (int32_t)tile->x1, rows.y1, frame->config.tile_width,
         at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL, 0, 0,
+        &tile->dropped,
     };
 
     tp_frame_allow_outlines(frame, &samples);
@@ -209,6 +210,7 @@ static bool set_tile_bounds(const tp_frame *frame, uint32_t i, const void *scrat
     if (i >= tp_frame_tiles(frame)
         || tp_pointer_check_aligned(scratch, 8, "scratch", NULL) != TP_OK)
         return false;
+    tile->dropped = 0;
     tile->x0 = i % frame->across * c->tile_width;
     tile->y0 = i / frame->across * c->tile_height;
     tile->x1 = tile->x0 + c->tile_width < c->width ? tile->x0 + c->tile_width : c->width;
@@ -225,8 +227,7 @@ static void shade_rows_with_overlay(const tp_frame *frame, const tp_gbuffer *sam
 }
 
 /* Draws a tile; rows of pixels start at `row` and advance by the tile's stride. */
-static void draw_tile(const tp_frame *frame, void *scratch, const tp_tile *tile,
-                      uint8_t *row)
+static void draw_tile(const tp_frame *frame, void *scratch, tp_tile *tile, uint8_t *row)
 {
     tp_gbuffer samples = make_samples(frame, scratch, tile);
     tp_water_rows found;

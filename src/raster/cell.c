@@ -9,7 +9,7 @@
  *
  * The triangles of a cell that is not convex have a plane each.  Cells wider or higher than
  * 64 px, thinner than 1/16 px, or so deep that affine s and t would stray by more than STRAY
- * are drawn as exact triangles.
+ * are left to exact triangles.
  *
  * Bits: sides are at most 2^10 in 28.4 px and areas at most 2^21. */
 #include "base/dsp.h"
@@ -299,20 +299,20 @@ static __attribute__((noinline)) bool draw_plane(const tp_gbuffer *tile, cell *o
     return true;
 }
 
-/* Draws a triangle as a cell whose last two corners are one: the plane is exact. */
-static void draw_half(const tp_gbuffer *tile, const tp_screen_vertex *a,
+/* Draws a triangle as a cell whose last two corners are one: the plane is exact.  Returns
+ * false if it is too coarse. */
+static bool draw_half(const tp_gbuffer *tile, const tp_screen_vertex *a,
                       const tp_screen_vertex *b, const tp_screen_vertex *c, int32_t area)
 {
     const bounds box = make_bounds(a, b, c, c);
     cell of;
 
     if (area == 0 || (tile->front_only && area > 0))
-        return;
+        return true;
     of.corner[0] = a;
     of.corner[1] = area < 0 ? b : c;
     of.corner[2] = of.corner[3] = area < 0 ? c : b;
-    if (!draw_plane(tile, &of, &box, area < 0 ? -area : area))
-        tp_tri_water(tile, a, b, c);
+    return draw_plane(tile, &of, &box, area < 0 ? -area : area);
 }
 
 /* Puts the corners in turn.  Returns the doubled area of a convex cell, where each corner
@@ -332,25 +332,22 @@ TP_ALWAYS_INLINE int32_t set_corners(cell *to, const tp_screen_vertex left[2],
     return front ? -a - b : a + b;
 }
 
-void tp_cell_water_fast(const tp_gbuffer *tile, const tp_screen_vertex left[2],
-                        const tp_screen_vertex right[2])
+uint32_t tp_cell_water_fast(const tp_gbuffer *tile, const tp_screen_vertex left[2],
+                            const tp_screen_vertex right[2])
 {
     const bounds box = make_bounds(&left[0], &left[1], &right[0], &right[1]);
     cell of;
 
-    if (longest_side(&box) > SIDE_MOST) {
-        tp_cell_water(tile, left, right);
-        return;
-    }
+    if (longest_side(&box) > SIDE_MOST)
+        return TP_CELL_WHOLE;
     const int32_t a = twice_area(&left[0], &left[1], &right[1]);
     const int32_t b = twice_area(&left[0], &right[1], &right[0]);
     if (tile->front_only && a >= 0 && b >= 0)
-        return;
+        return 0;
     const int32_t area = set_corners(&of, left, right, a, b);
-    if (area == 0) {
-        draw_half(tile, &left[0], &left[1], &right[1], a);
-        draw_half(tile, &left[0], &right[1], &right[0], b);
-    } else if (!draw_plane(tile, &of, &box, area)) {
-        tp_cell_water(tile, left, right);
-    }
+    if (area != 0)
+        return draw_plane(tile, &of, &box, area) ? 0 : TP_CELL_WHOLE;
+    const bool lower = draw_half(tile, &left[0], &left[1], &right[1], a);
+    const bool upper = draw_half(tile, &left[0], &right[1], &right[0], b);
+    return (lower ? 0 : TP_CELL_LOWER) | (upper ? 0 : TP_CELL_UPPER);
 }

@@ -111,21 +111,38 @@ typedef struct {
     uint32_t *outline;          /* a second layer of four planes, at the same distances:
                                  * samples of outlines, key 0 elsewhere; NULL: none */
     int32_t   outline_x0, outline_x1;   /* columns that may have outlines, if there is one */
+    uint32_t *dropped;          /* tp_tile.dropped; NULL: not counted */
 } tp_gbuffer;
 
 void tp_gbuffer_clear(const tp_gbuffer *tile);
 
 /* Draws a water triangle. Vertices come from tp_projection_project and tp_clip_triangle. */
-void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                  const tp_screen_vertex *b, const tp_screen_vertex *c);
+typedef void tp_triangle_drawer(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                                const tp_screen_vertex *b, const tp_screen_vertex *c);
+tp_triangle_drawer tp_tri_water;
 
-/* Draws a cell of water: `left` and `right` are its sides, each from above to below if the
- * cell shows its front.  The exact function draws the triangles left[0] left[1] right[1] and
- * left[0] right[1] right[0].  The fast function fills the same pixels; in cells of up to 64
- * pixels each way it shades both triangles as one plane, and s and t are affine. */
-typedef void tp_cell_drawer(const tp_gbuffer *tile, const tp_screen_vertex left[2],
-                            const tp_screen_vertex right[2]);
-tp_cell_drawer tp_cell_water, tp_cell_water_fast;
+/* The halves of a cell of water, a bit each: the triangles left[0] left[1] right[1] and
+ * left[0] right[1] right[0].  `left` and `right` are the cell's sides, each from above to
+ * below if the cell shows its front. */
+enum { TP_CELL_LOWER = 1, TP_CELL_UPPER = 2, TP_CELL_WHOLE = 3 };
+
+/* Draws a cell at a lower price: the pixels are those of its triangles, but in cells of up
+ * to 64 pixels each way both are shaded as one plane, and s and t are affine.  Returns the
+ * halves that need exact triangles, which it does not draw. */
+typedef uint32_t tp_cell_drawer(const tp_gbuffer *tile, const tp_screen_vertex left[2],
+                                const tp_screen_vertex right[2]);
+tp_cell_drawer tp_cell_water_fast;
+
+/* Draws halves of a cell by triangles. */
+static inline void tp_cell_draw_halves(tp_triangle_drawer *draw, const tp_gbuffer *tile,
+                                       const tp_screen_vertex left[2],
+                                       const tp_screen_vertex right[2], uint32_t halves)
+{
+    if (halves & TP_CELL_LOWER)
+        draw(tile, &left[0], &left[1], &right[1]);
+    if (halves & TP_CELL_UPPER)
+        draw(tile, &left[0], &right[1], &right[0]);
+}
 
 /* Draws a solid triangle.  `mark`: stencil value; `face`: face number in the samples;
  * `opacity`: number of pixels drawn out of 16, in an ordered pattern. */
@@ -180,12 +197,13 @@ void tp_outline_begin(tp_gbuffer *tile, int32_t x0, int32_t x1);
 
 /* Draws the edge from a to b of a front face; both in the order of the face.  Samples of
  * the same material within depth / 2^(outline_shift) belong to the same outline. */
-void tp_outline_draw_edge(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                          const tp_screen_vertex *b, uint32_t mark, uint32_t face);
+typedef void tp_outline_edge_drawer(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                                    const tp_screen_vertex *b, uint32_t mark,
+                                    uint32_t face);
+tp_outline_edge_drawer tp_outline_draw_edge;
 
 /* The same with one place and light for all pixels of the edge, for the fast rung. */
-void tp_outline_draw_edge_fast(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                               const tp_screen_vertex *b, uint32_t mark, uint32_t face);
+tp_outline_edge_drawer tp_outline_draw_edge_fast;
 
 /* Returns the share of the pixel, 0..256, of an outline's sample. */
 uint32_t tp_outline_share(uint32_t t, uint32_t n);

@@ -272,13 +272,6 @@ void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
         fill_triangle_rows(&p, tile, WATER, 0);
 }
 
-void tp_cell_water(const tp_gbuffer *tile, const tp_screen_vertex left[2],
-                   const tp_screen_vertex right[2])
-{
-    tp_tri_water(tile, &left[0], &left[1], &right[1]);
-    tp_tri_water(tile, &left[0], &right[1], &right[0]);
-}
-
 /* Returns the rows of a 4x4 ordered pattern with `opacity` of 16 bits set. */
 static uint32_t dither_pattern(int opacity)
 {

@@ -143,6 +143,7 @@ typedef struct {
     tp_fx   x0, x1, z0, z1;     /* walls, m */
     const tp_coastal_water *coastal; /* coastal water whose floor counts; NULL:
                                       * `floor_plane` counts */
+    tp_floor_at (*sample_floor)(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
     tp_floor_plane floor_plane;
     tp_wall_material wall, floor;
     uint32_t deep;              /* colour of bottomless water, 0x00RRGGBB */

@@ -67,7 +67,7 @@ int32_t tp_underwater_floor_light_cosine(const tp_underwater *in, tp_fx rise_x, 
 
 tp_floor_plane tp_underwater_sample_floor(const tp_underwater *in, tp_vec3 at)
 {
-    tp_floor_at floor = tp_coastal_floor(in->coastal, at.x, at.z);
+    tp_floor_at floor = in->sample_floor(in->coastal, at.x, at.z);
     return (tp_floor_plane){ at.x, at.z, floor.depth, floor.rise_x, floor.rise_z, 0 };
 }
 

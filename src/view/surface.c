@@ -240,13 +240,20 @@ void tp_slopes_from_tangents(tp_vec3 along_x, tp_vec3 along_z, tp_fx *slope_x,
     *slope_z = divide_slope(-nz, &by);
 }
 
+tp_surface_point tp_surface_displaced(const tp_surface *surface, tp_fx x, tp_fx z)
+{
+    const struct tp_water_samples *samples = surface->by->samples;
+
+    return samples ? samples->displaced(surface->deep, surface->phases, x, z)
+                   : (tp_surface_point){ .position = { x, 0, z } };
+}
+
 tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     return surface->coastal
-               ? tp_coastal_displace_no_overhang(surface->coastal, surface->phases, x, z)
+               ? surface->by->coastal->smooth(surface->coastal, surface->phases, x, z)
                      .position
-               : tp_deep_water_displace_point(surface->deep, surface->phases, x, z)
-                     .position;
+               : tp_surface_displaced(surface, x, z).position;
 }
 
 tp_fx tp_surface_rough_height(const tp_surface *surface, tp_fx x, tp_fx z)

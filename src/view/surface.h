@@ -62,7 +62,9 @@ tp_surface_point tp_surface_sample(const tp_surface *surface, tp_fx x, tp_fx z,
 tp_surface_point tp_surface_coastal_sample(const tp_surface *surface, tp_fx x, tp_fx z,
                                            tp_fx rest[2]);
 
-/* Returns the displaced point of a rest position, without rings and pools. */
+/* Return the displaced point of a rest position, without rings and pools: of swells alone,
+ * with slopes; of any water. */
+tp_surface_point tp_surface_displaced(const tp_surface *surface, tp_fx x, tp_fx z);
 tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z);
 
 /* Returns the water level at a place, by one step of the search of [E1].  The error shows

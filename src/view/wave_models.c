@@ -216,13 +216,16 @@ const struct tp_water_swells tp_water_few_swells = {
 
 const struct tp_water_swells tp_water_baked_swells = { .few = true };
 
-const struct tp_water_samples tp_water_samples = { tp_deep_water_sample };
+const struct tp_water_samples tp_water_samples = {
+    tp_deep_water_sample, tp_deep_water_displace_point,
+};
 
 const struct tp_water_points tp_water_points = { tp_level_sample_surface };
 
 const struct tp_water_coastal tp_water_coastal = {
     .max_displacement = tp_coastal_max_displacement,
     .height = tp_coastal_max_height,
+    .breaking = tp_coastal_displace_point,
     .above = tp_surface_coastal_sample,
     .smooth = tp_coastal_displace_no_overhang,
     .floor = tp_coastal_floor,

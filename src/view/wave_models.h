@@ -133,10 +133,13 @@ struct tp_water_swells {
     bool few;                   /* true: memory for the scene's own swells only */
 };
 
-/* The swells above a position; without them water samples are level. */
+/* The swells above a position, and their points of rest positions; without them water
+ * samples are level. */
 struct tp_water_samples {
     tp_surface_point (*above)(const tp_deep_water *deep, const tp_turn phases[TP_WAVES],
                               tp_fx x, tp_fx z, tp_fx rest[2]);
+    tp_surface_point (*displaced)(const tp_deep_water *deep,
+                                  const tp_turn phases[TP_WAVES], tp_fx x, tp_fx z);
 };
 
 /* The points of a screen grid over level water. */
@@ -153,6 +156,8 @@ struct tp_water_coastal {
     tp_fx (*max_displacement)(const tp_coastal_water *coastal);
     tp_fx (*height)(const tp_coastal_water *coastal);
     tp_surface_point (*above)(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx rest[2]);
+    tp_coastal_point (*breaking)(const tp_coastal_water *coastal,
+                                 const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0);
     tp_coastal_point (*smooth)(const tp_coastal_water *coastal,
                                const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0);
     tp_floor_at (*floor)(const tp_coastal_water *coastal, tp_fx x, tp_fx z);

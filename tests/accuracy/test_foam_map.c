@@ -200,7 +200,8 @@ static void add_cells(depth_sums *sums, ref_stand *stand)
     tp_foam_maker make;
 
     assert_non_null(map);
-    tp_foam_maker_begin(&make, tp_foam_of_world(stand->world), stand->world,
+    tp_foam_maker_begin(&make, tp_foam_of_world(stand->world),
+                        &tp_program_all.water, stand->world,
                         &stand->file.scene);
     for (uint32_t i = 0; i < foam->cells * foam->cells; i++) {
         const int32_t col = foam->first_x + (int32_t)(i % foam->cells),

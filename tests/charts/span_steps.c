@@ -33,13 +33,6 @@ void tp_tri_water(const tp_gbuffer *tile, CORNERS)
     }
 }
 
-void tp_cell_water(const tp_gbuffer *tile, const tp_screen_vertex left[2],
-                   const tp_screen_vertex right[2])
-{
-    tp_tri_water(tile, &left[0], &left[1], &right[1]);
-    tp_tri_water(tile, &left[0], &right[1], &right[0]);
-}
-
 /* Solids are drawn by the engine's step. */
 void tp_tri_solid(const tp_gbuffer *tile, CORNERS, uint32_t mark, uint32_t face,
                   int opacity)

@@ -7,7 +7,7 @@
 #include <setjmp.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "features/foam/foam.h"
+#include "features/foam/foam_cover.h"
 #include "tools/reference/texture.h"
 #include "mesh/mesh.h"
 #include "tests/lib/shading.h"
@@ -59,6 +59,7 @@ static tp_shade shade_foam(test_run *r, bool textured, int level)
         .way_x = tp_sin(way) >> 16,
         .way_z = tp_cos(way) >> 16,
         .floor = shore ? TP_FOAM_BEACH : 0,
+        .floor_cover = shore ? tp_foam_shore_cover : NULL,
         .shore_x = shore ? tp_sin(way) >> 16 : 0,
         .shore_z = shore ? -tp_cos(way) >> 16 : 0,
         .stretch = CELLS * 32768 / 16 * 7,

@@ -17,7 +17,7 @@ static test_twice twice;
 static const tp_program least = {
     .stage = { TP_STAGE(sky), TP_STAGE(plain) },
     .store = { [TP_FORMAT_XRGB8888] = tp_store_xrgb8888 },
-    .draw = { TP_DRAW(cells) },
+    .draw = { TP_DRAW(cells), TP_DRAW(exact_triangles) },
     .method = { TP_METHOD(triangles) },
 };
 
@@ -87,7 +87,7 @@ static uint32_t drawn_by(const tp_program *by, const tp_scene *scene,
     tp_frame_begin(f.frame, world);
     tp_frame_draw_tile(f.frame, 0, f.scratch, &tile);
     uint32_t crc = tp_crc32(0, tile.pixels, W * H * sizeof(uint32_t));
-    *dropped = tp_frame_stats(f.frame).dropped;
+    *dropped = tp_frame_stats(f.frame).dropped + tile.dropped;
     frame_free(&f);
     free(world);
     return crc;
@@ -139,6 +139,61 @@ static void what_a_program_lacks_is_left_out_and_counted(void **state)
     scene.boat.mesh[0] = '\0';
     assert_int_equal(crc, drawn_by(&tp_program_all, &scene, &none, &lacks));
     assert_int_equal(lacks, 0);
+}
+
+/* Cells that fast triangles cannot draw are counted in their tile. */
+static void triangles_that_a_program_lacks_are_counted_by_tiles(void **state)
+{
+    const tp_assets assets = { .layer[0] = &kit.picture[0] };
+    tp_program own = tp_program_all;
+    uint32_t lacks;
+    tp_scene scene;
+
+    (void)state;
+    tp_scene_level(&scene);
+    scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    for (int fast = 0; fast < 2; fast++) {
+        scene.quality.triangles = fast ? TP_RUNG_FAST : TP_RUNG_EXACT;
+        own.draw.exact_triangles = NULL;
+        const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
+        assert_true(lacks > 0);
+        assert_int_not_equal(crc, drawn_by(&tp_program_all, &scene, &assets, &lacks));
+        assert_int_equal(lacks, 0);
+    }
+}
+
+/* A world is refused by the name of the part. */
+static void foam_whose_source_a_program_lacks_is_refused(void **state)
+{
+    tp_program own = tp_program_all;
+    const tp_assets assets = { .boat = &kit.boat.mesh };
+    tp_error err = { 0 };
+    uint64_t block[1];
+    tp_scene scene;
+
+    (void)state;
+    tp_scene_level(&scene);
+    scene.foam.cells = 32;
+    scene.foam.hull = TP_FX_ONE;
+    own.water.foam_hull = NULL;
+    assert_true(tp_world_bytes(&own, &scene, &assets) > 0);
+    strcpy(scene.boat.mesh, "boat.obj");
+    assert_true(tp_world_bytes(&tp_program_all, &scene, &assets) > 0);
+    assert_int_equal(tp_world_init(&own, (tp_world *)(void *)block, 0, &scene, &assets,
+                                   &err), TP_E_PROGRAM);
+    assert_string_equal(err.word, "foam_hull");
+    scene.foam.slices = 2;
+    own.water.foam_hull = &tp_water_foam_hull;
+    own.water.foam_slices = NULL;
+    assert_int_equal(tp_world_init(&own, (tp_world *)(void *)block, 0, &scene, &assets,
+                                   &err), TP_E_PROGRAM);
+    assert_string_equal(err.word, "foam_slices");
+    scene.foam.slices = 1;
+    scene.floor.depth = TP_FX_ONE;
+    own.water.foam_coast = NULL;
+    assert_int_equal(tp_world_init(&own, (tp_world *)(void *)block, 0, &scene, &assets,
+                                   &err), TP_E_PROGRAM);
+    assert_string_equal(err.word, "foam_coast");
 }
 
 #define OF_LIST(X) X(quick_mip_spans) X(quick_bend) X(quick_layers) X(quick_ripple)
@@ -297,6 +352,8 @@ int main(void)
         cmocka_unit_test(any_program_draws_any_scene),
         cmocka_unit_test(a_program_of_what_a_scene_needs_draws_it_as_all_does),
         cmocka_unit_test(what_a_program_lacks_is_left_out_and_counted),
+        cmocka_unit_test(triangles_that_a_program_lacks_are_counted_by_tiles),
+        cmocka_unit_test(foam_whose_source_a_program_lacks_is_refused),
         cmocka_unit_test(a_program_without_a_quick_stage_takes_the_next_better_rung),
         cmocka_unit_test(the_first_module_without_a_stage_is_told),
         cmocka_unit_test(a_program_without_plain_or_the_format_is_refused),

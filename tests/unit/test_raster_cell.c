@@ -57,6 +57,19 @@ static void set_planes(cell *c)
     }
 }
 
+static void draw_exact(const tp_gbuffer *tile, const tp_screen_vertex left[2],
+                       const tp_screen_vertex right[2])
+{
+    tp_cell_draw_halves(tp_tri_water, tile, left, right, TP_CELL_WHOLE);
+}
+
+static void draw_fast(const tp_gbuffer *tile, const tp_screen_vertex left[2],
+                      const tp_screen_vertex right[2])
+{
+    tp_cell_draw_halves(tp_tri_water, tile, left, right,
+                        tp_cell_water_fast(tile, left, right));
+}
+
 static test_tile whole(bool front_only)
 {
     test_tile tile = tile_of(X0, Y0, X1, Y1, 0);
@@ -74,8 +87,8 @@ static void the_pixels_are_those_of_two_triangles(void **state)
         const bool front_only = n & 1;
         const cell c = any_cell(sizes[n % 5], n % 3 == 0 ? 0 : n % 3 == 1 ? 6 : 20);
         test_tile a = whole(front_only), b = whole(front_only);
-        tp_cell_water(&a.samples, n & 2 ? c.right : c.left, n & 2 ? c.left : c.right);
-        tp_cell_water_fast(&b.samples, n & 2 ? c.right : c.left, n & 2 ? c.left : c.right);
+        draw_exact(&a.samples, n & 2 ? c.right : c.left, n & 2 ? c.left : c.right);
+        draw_fast(&b.samples, n & 2 ? c.right : c.left, n & 2 ? c.left : c.right);
         for (size_t i = 0; i < a.words; i++) {
             if (!a.samples.key[i] != !b.samples.key[i])
                 fail_msg("cell %d: pixel %d %d", n, X0 + (int)(i % (X1 - X0)),
@@ -114,8 +127,8 @@ static void planes_are_drawn_as_by_two_triangles(void **state)
         cell c = any_cell(24 * 16, 5);
         set_planes(&c);
         test_tile a = whole(false), b = whole(false);
-        tp_cell_water(&a.samples, c.left, c.right);
-        tp_cell_water_fast(&b.samples, c.left, c.right);
+        draw_exact(&a.samples, c.left, c.right);
+        draw_fast(&b.samples, c.left, c.right);
         for (size_t i = 0; i < a.words; i++) {
             if (!a.samples.key[i])
                 continue;
@@ -166,8 +179,8 @@ static void tiles_cut_anywhere_give_the_same_samples(void **state)
         for (int k = 0; k < 6; k++) {
             cell c = any_cell(k < 3 ? 300 : 1000, k % 2 ? 3 : 12);
             set_planes(&c);
-            tp_cell_water_fast(&all.samples, c.left, c.right);
-            tp_cell_water_fast(&part.samples, c.left, c.right);
+            draw_fast(&all.samples, c.left, c.right);
+            draw_fast(&part.samples, c.left, c.right);
         }
         compare_part(&all, &part);
         tile_free(&all);
@@ -187,7 +200,7 @@ static void a_cell_beside_the_tile_or_without_area_draws_nothing(void **state)
         if (n % 4 == 3)
             c = (cell){ { vertex(2000, 1000), vertex(2000, 1400) },
                         { vertex(2000, 1000), vertex(2000, 1400) } };
-        tp_cell_water_fast(&tile.samples, c.left, c.right);
+        draw_fast(&tile.samples, c.left, c.right);
     }
     for (size_t i = 0; i < tile.words; i++)
         assert_int_equal(tile.samples.key[i], 0);

@@ -228,6 +228,7 @@ void components_add_models(component_set *set)
         { "drops", "rings" }, { "main_pool", "pools" }, { "field", "pools" },
         { "coastal", "coastal" }, { "coastal", "swells" },
         { "hull", "samples" }, { "drops", "samples" }, { "underwater", "samples" },
+        { "caustics", "samples" }, { "spray", "samples" },
     };
 
     for (size_t n = 0; n < sizeof needs / sizeof *needs; n++) {

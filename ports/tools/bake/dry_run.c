@@ -249,13 +249,15 @@ static dry_run_picture paint(dry_run_painter *p, const dry_run *d, const dry_run
     memcpy(p->world, moment_world(d, c->moment), d->world_bytes);
     take_place(p->world, c);
     tp_frame_begin(p->frame, p->world);
-    for (uint32_t i = 0; tp_frame_draw_tile(p->frame, i, p->scratch, &tile); i++)
+    for (uint32_t i = 0; tp_frame_draw_tile(p->frame, i, p->scratch, &tile); i++) {
+        picture.dropped += tile.dropped;
         for (uint32_t y = tile.y0; y < tile.y1; y++)
             picture.crc = tp_crc32_pixels(picture.crc, d->config.format,
                                           (const uint8_t *)tile.pixels
                                           + (y - tile.y0) * tile.stride,
                                           (int)d->config.width);
-    picture.dropped = tp_frame_stats(p->frame).dropped;
+    }
+    picture.dropped += tp_frame_stats(p->frame).dropped;
     return picture;
 }
 

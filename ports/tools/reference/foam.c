@@ -77,7 +77,8 @@ static void set_surf(ref_foam *f, const tp_world *world, const tp_scene *scene,
                                / (4 * ref_number(scene->foam.fade)));
         most = fmax(most, ref_number(deep->swell[i].amplitude));
     }
-    tp_foam_maker_begin(&make, (tp_foam *)(uintptr_t)foam, world, scene);
+    tp_foam_maker_begin(&make, (tp_foam *)(uintptr_t)foam, &tp_program_all.water, world,
+                        scene);
     for (int n = 0; n <= REF_SURF; n++)
         f->surf[n] = tp_foam_maker_mean_cover(
             &make, (tp_fx)(2 * f->deep * n / REF_SURF * 65536 + 1),

@@ -49,6 +49,7 @@ typedef struct {
     tp_projection  projection;
     tp_fx          metres;      /* metres per 1.0 of the mesh's positions */
     const tp_packed_dir *light; /* array, in the place of the vertices' normals; NULL */
+    tp_outline_edge_drawer *draw_edge;  /* of outlines; NULL: the exact one */
 } tp_boat_view;
 
 /* Returns the normal of vertex i, or its light. */
@@ -149,11 +150,18 @@ static inline uint32_t tp_boat_face_number(const tp_boat_faces *faces, uint32_t 
     return entry >> (3 + 2 * faces->row_bits);
 }
 
-/* Lights the vertices of the listed faces, by the lobe of a light model or without one;
- * `light` has an entry for each vertex of the mesh. */
+/* Solids lit by their vertices, for quality.solids = fast; boat_light.c.  light_faces lights
+ * the vertices of the listed faces, by the lobe of a light model or without one; `light` has
+ * an entry for each vertex of the mesh. */
 typedef enum { TP_BOAT_PHONG, TP_BOAT_BLINN, TP_BOAT_MATT } tp_boat_lobe;
-void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, tp_boat_lobe lobe,
-                         const tp_boat_faces *faces, tp_packed_dir *light);
+struct tp_draw_fast_solids {
+    bool (*draw_triangle)(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                          const tp_screen_vertex *b, const tp_screen_vertex *c,
+                          uint32_t mark);
+    tp_outline_edge_drawer *draw_edge;
+    void (*light_faces)(const tp_boat_view *b, const tp_view_axes *axes, tp_boat_lobe lobe,
+                        const tp_boat_faces *faces, tp_packed_dir *light);
+};
 
 /* Bits of tp_boat_outlines.edges besides 1, 2, 4 for the three edges. */
 enum { TP_BOAT_FRONT = 8, TP_BOAT_CUT = 16, TP_BOAT_STEP = 64 };

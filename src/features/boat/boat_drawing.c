@@ -23,7 +23,7 @@ typedef struct {
     tp_boat_view    view;
     tp_grid_box     box;        /* covered pixels; empty: not visible */
     tp_packed_dir  *light;      /* array, one for each vertex; NULL: no fast rung */
-    bool            fast;       /* solids of this frame are lit by their vertices */
+    const struct tp_draw_fast_solids *fast; /* of this frame; NULL: exact solids */
 } drawn_boat;
 
 static tp_dir3 turned(const tp_rotation *r, tp_dir3 d)
@@ -101,12 +101,13 @@ static void project(tp_frame *frame, void *mine, tp_view *view, tp_grid_box *box
     b->box = tp_boat_project_vertices(&b->view, tp_view_clip_plane(view), b->vertex);
     list_faces(frame, b, view);
     b->view.light = b->fast ? b->light : NULL;
+    b->view.draw_edge = b->fast ? b->fast->draw_edge : NULL;
     if (b->fast)
-        tp_boat_light_faces(&b->view, &b->look.axes,
-                            !view->picture                ? TP_BOAT_MATT
-                            : b->model == TP_LIGHT_BLINN ? TP_BOAT_BLINN
-                                                         : TP_BOAT_PHONG,
-                            &b->faces, b->light);
+        b->fast->light_faces(&b->view, &b->look.axes,
+                             !view->picture                ? TP_BOAT_MATT
+                             : b->model == TP_LIGHT_BLINN ? TP_BOAT_BLINN
+                                                          : TP_BOAT_PHONG,
+                             &b->faces, b->light);
     if (b->box.x0 <= b->box.x1) {
         frame->stats.vertices += mesh->n_vertices;
         frame->stats.triangles += mesh->n_faces;
@@ -142,8 +143,8 @@ static void draw_triangle(const pass *p, const tp_screen_vertex corner[3], uint3
     tp_fx opacity = p->mesh->materials[material].opacity;
 
     if (p->boat->fast && opacity >= TP_FX_ONE
-        && tp_tri_solid_fast(p->tile, &corner[0], &corner[1], &corner[2],
-                             p->mark + clamp_material(material)))
+        && p->boat->fast->draw_triangle(p->tile, &corner[0], &corner[1], &corner[2],
+                                        p->mark + clamp_material(material)))
         return;
     if (is_invisible_lid(p->mesh, material))
         tp_tri_depth_only(p->tile, &corner[0], &corner[1], &corner[2]);
@@ -267,7 +268,8 @@ static void begin_boat_materials(tp_frame *frame, void *mine)
 
     frame->stats.dropped += mesh->n_materials - b->materials;
     b->fast = b->light && frame->scene->quality.solids == TP_RUNG_FAST
-              && tp_frame_module_stages(frame, TP_BOAT_ID)[STAGE_FAST];
+                      && tp_frame_module_stages(frame, TP_BOAT_ID)[STAGE_FAST]
+                  ? frame->program->draw.fast_solids : NULL;
     if (b->model != frame->scene->light.model)
         make_gloss(frame, mine);
     for (uint32_t i = 0; i < b->materials; i++) {

@@ -72,8 +72,9 @@ static void light_faces(const lights *l, const tp_boat_faces *faces, uint32_t fi
     }
 }
 
-void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, tp_boat_lobe lobe,
-                         const tp_boat_faces *faces, tp_packed_dir *light)
+static void light_listed_faces(const tp_boat_view *b, const tp_view_axes *axes,
+                               tp_boat_lobe lobe, const tp_boat_faces *faces,
+                               tp_packed_dir *light)
 {
     const lights l = { b, axes, lobe };
 
@@ -81,3 +82,7 @@ void tp_boat_light_faces(const tp_boat_view *b, const tp_view_axes *axes, tp_boa
         light[i] = UNLIT;
     light_faces(&l, faces, 0, faces->count, light);
 }
+
+const struct tp_draw_fast_solids tp_draw_fast_solids = {
+    tp_tri_solid_fast, tp_outline_draw_edge_fast, light_listed_faces,
+};

@@ -303,8 +303,8 @@ static void draw_edges(const tp_boat_outlines *o, const tp_boat_view *view,
                          to = make_end(view, b, j);
         move_into_face(&from, &mesh->vertices[corner(mesh, f, (k + 2) % 3)]);
         move_into_face(&to, &mesh->vertices[corner(mesh, f, (k + 2) % 3)]);
-        if (view->light)
-            tp_outline_draw_edge_fast(tile, &from, &to, mark, f);
+        if (view->draw_edge)
+            view->draw_edge(tile, &from, &to, mark, f);
         else
             tp_outline_draw_edge(tile, &from, &to, mark, f);
     }

@@ -15,26 +15,17 @@ TP_ALWAYS_INLINE int64_t scaled(tp_fx x, tp_fx scale)
     return ((int64_t)x * scale + 0x8000) >> 16;
 }
 
-/* Transformations of positions. */
-enum {
-    CLAMPED,                    /* any mesh: each coordinate is clamped to +-4 km */
-    BOUNDED,                    /* see is_bounded */
-    METRES                      /* bounded, and positions are in metres */
-};
-
-/* Returns a position in metres. */
-TP_ALWAYS_INLINE tp_vec3 position(const tp_boat_view *b, tp_vec3 at, int how)
+/* Sets the view coordinates of a position of any mesh: the position in metres is clamped to
+ * +-4 km. */
+TP_NEVER_INLINE void set_clamped(const tp_boat_view *b, tp_vec3 at, tp_view_vertex *to)
 {
-    if (how == METRES)
-        return at;
-    const int64_t x = scaled(at.x, b->metres), y = scaled(at.y, b->metres),
-                  z = scaled(at.z, b->metres);
+    const tp_vec3 p = {
+        (tp_fx)tp_clamp_abs(scaled(at.x, b->metres), POSITION_MOST),
+        (tp_fx)tp_clamp_abs(scaled(at.y, b->metres), POSITION_MOST),
+        (tp_fx)tp_clamp_abs(scaled(at.z, b->metres), POSITION_MOST),
+    };
 
-    if (how == BOUNDED)
-        return (tp_vec3){ (tp_fx)x, (tp_fx)y, (tp_fx)z };
-    return (tp_vec3){ (tp_fx)tp_clamp_abs(x, POSITION_MOST),
-                      (tp_fx)tp_clamp_abs(y, POSITION_MOST),
-                      (tp_fx)tp_clamp_abs(z, POSITION_MOST) };
+    tp_projection_view_vertex(&b->projection, p, to);
 }
 
 static void widen(tp_fx *low, tp_fx *high, tp_fx x)
@@ -88,21 +79,28 @@ TP_ALWAYS_INLINE int32_t dot(tp_vec3 d, tp_dir3 axis)
                       + (1 << 29)) >> 30);
 }
 
+/* The same as set_clamped, if is_bounded. */
+TP_ALWAYS_INLINE void set_bounded(const tp_boat_view *b, tp_vec3 at, tp_view_vertex *to)
+{
+    const tp_vec3 p = { (tp_fx)scaled(at.x, b->metres), (tp_fx)scaled(at.y, b->metres),
+                        (tp_fx)scaled(at.z, b->metres) };
+    const tp_vec3 d = tp_vec3_sub(p, b->projection.eye);
+
+    to->x = dot(d, b->projection.right);
+    to->y = dot(d, b->projection.up);
+    to->depth = dot(d, b->projection.ahead);
+}
+
 /* Projects a vertex, or marks it as outside or as one that needs clipping. */
 TP_ALWAYS_INLINE void project_vertex(const tp_boat_view *b, const tp_view_plane *plane,
-                                     tp_vec3 at, tp_boat_vertex *to, int how)
+                                     tp_vec3 at, tp_boat_vertex *to, bool bounded)
 {
-    const tp_vec3 p = position(b, at, how);
     tp_view_vertex c;
 
-    if (how != CLAMPED) {
-        const tp_vec3 d = tp_vec3_sub(p, b->projection.eye);
-        c.x = dot(d, b->projection.right);
-        c.y = dot(d, b->projection.up);
-        c.depth = dot(d, b->projection.ahead);
-    } else {
-        tp_projection_view_vertex(&b->projection, p, &c);
-    }
+    if (bounded)
+        set_bounded(b, at, &c);
+    else
+        set_clamped(b, at, &c);
     if (plane && tp_view_plane_distance(plane, &c) < 0)
         to->u = TP_BOAT_OUTSIDE;
     else if (tp_projection_can_project(&b->projection, &c))
@@ -111,17 +109,16 @@ TP_ALWAYS_INLINE void project_vertex(const tp_boat_view *b, const tp_view_plane 
         to->u = TP_GRID_NEEDS_CLIP;
 }
 
-/* Projects all vertices; returns the box of the projected ones. */
-TP_ALWAYS_INLINE tp_grid_box project_vertices(const tp_boat_view *b,
-                                              const tp_view_plane *plane,
-                                              tp_boat_vertex *vertex, int how)
+tp_grid_box tp_boat_project_vertices(const tp_boat_view *b, const tp_view_plane *plane,
+                                     tp_boat_vertex *vertex)
 {
+    const bool bounded = is_bounded(b);
     int32_t left = INT32_MAX, right = INT32_MIN, top = INT32_MAX, bottom = INT32_MIN;
     tp_grid_box box = TP_BOX_NONE;
 
     for (uint32_t i = 0; i < b->mesh->n_vertices; i++) {
         tp_boat_vertex *to = &vertex[i];
-        project_vertex(b, plane, b->mesh->vertices[i].position, to, how);
+        project_vertex(b, plane, b->mesh->vertices[i].position, to, bounded);
         if (to->u <= TP_BOAT_OUTSIDE)
             continue;
         left = to->u < left ? to->u : left;
@@ -136,22 +133,13 @@ TP_ALWAYS_INLINE tp_grid_box project_vertices(const tp_boat_view *b,
     return box;
 }
 
-tp_grid_box tp_boat_project_vertices(const tp_boat_view *b, const tp_view_plane *plane,
-                                     tp_boat_vertex *vertex)
-{
-    if (!is_bounded(b))
-        return project_vertices(b, plane, vertex, CLAMPED);
-    return b->metres == TP_FX_ONE ? project_vertices(b, plane, vertex, METRES)
-                                  : project_vertices(b, plane, vertex, BOUNDED);
-}
-
 static tp_view_vertex transform_vertex(const tp_boat_view *b, uint32_t i)
 {
     const tp_mesh_vertex *vertex = &b->mesh->vertices[i];
     const tp_packed_dir normal = tp_boat_vertex_normal(b, i);
     tp_view_vertex c;
 
-    tp_projection_view_vertex(&b->projection, position(b, vertex->position, CLAMPED), &c);
+    set_clamped(b, vertex->position, &c);
     c.s = vertex->s;
     c.t = vertex->t;
     c.n[0] = (int16_t)tp_dir_x(normal);

@@ -9,6 +9,7 @@
  *
  *     foam_module.c    the module: its state, window, fading and drift
  *     foam_sources.c   the foam made in a tick
+ *     foam_coast.c     the foam of coastal water
  *     foam_hull.c      the foam of a hull
  *     foam_visit.h, foam_sparse.c      a visit of rows; sources of every n-th visit
  *     foam_access.c    cover by place, and means
@@ -120,6 +121,7 @@ typedef struct {
 
 /* The foam sources in this tick, and the row being asked for. */
 typedef struct {
+    const tp_wave_models *by;
     const tp_world *world;
     const tp_scene *scene;
     const tp_coastal_water *coastal;
@@ -135,13 +137,8 @@ typedef struct {
 
 #define TP_FOAM_DRY UINT32_MAX
 
-void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_world *world,
-                         const tp_scene *scene);
-
-/* Coastal water only.  Prepares the displaced positions of the row at m->z - cell.  Call
- * once for each cell of a row before asking for the row, unless the last row was the
- * neighbour at z - cell. */
-void tp_foam_maker_sample_previous_row(tp_foam_maker *m, uint32_t col, tp_fx x);
+void tp_foam_maker_begin(tp_foam_maker *m, tp_foam *foam, const tp_wave_models *by,
+                         const tp_world *world, const tp_scene *scene);
 
 /* Returns the cover gained by the cell at x in TP_FOAM_TICKS ticks, in 1/256 of a byte's
  * units, below 2^16; or TP_FOAM_DRY for a dry cell.  Ask for the cells of a row in order
@@ -158,19 +155,12 @@ static inline uint32_t tp_foam_scale_gain(tp_fx share, int32_t units)
     return gain < 0 ? 0 : gain > TP_FOAM_GAIN_MOST ? TP_FOAM_GAIN_MOST : (uint32_t)gain;
 }
 
-/* Finds the hull in rest positions, for tp_foam_maker_begin. */
-void tp_foam_maker_find_hull(tp_foam_maker *m);
-
-/* The gains apart: waves; walls, TP_FOAM_DRY inside a wall and 0 outside of the pool; and
- * the hull.  A coastal wave's gain in open water is that of its swells without wind. */
+/* The gains apart: waves here, others in foam_visit.h.  A coastal wave's gain in open water is
+ * that of its swells without wind. */
 bool     tp_foam_maker_has_waves(const tp_foam_maker *m);       /* false: no wave foams */
 uint32_t tp_foam_maker_wave_gain(const tp_foam_maker *m, tp_fx x);
-uint32_t tp_foam_maker_wall_gain(const tp_foam_maker *m, tp_fx x);
-uint32_t tp_foam_maker_hull_gain(const tp_foam_maker *m, tp_fx x);
-
-/* Sets the cells from..to, counted from the cell at x, that the hull may reach in the row;
- * false: none. */
-bool tp_foam_maker_hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to);
+uint32_t tp_foam_deep_gain(const tp_foam_maker *m, tp_fx x);    /* of swells */
+uint32_t tp_foam_crest_gain(const tp_foam_maker *m, tp_fx jacobian);
 
 /* True if none of the bytes has cover. */
 bool tp_foam_is_empty(const uint8_t *cover, size_t bytes);
@@ -182,14 +172,18 @@ bool tp_foam_is_empty(const uint8_t *cover, size_t bytes);
 uint32_t tp_foam_maker_mean_cover(const tp_foam_maker *m, tp_fx depth, uint32_t visits);
 uint32_t tp_foam_maker_open_share(const tp_foam_maker *m, tp_fx depth);
 
-/* Over a map of the floor.  Returns the mean cover at (x, m->z), by the depth. */
-uint8_t tp_foam_map_mean(const tp_foam_maker *m, tp_fx x);
-
 /* -- data of the stages, in tp_run.mine ---------------------------------------------- */
 
 enum { TP_FOAM_BEACH = 1, TP_FOAM_DEPTH };
 
-typedef struct {
+struct tp_shade_foam;
+
+/* Returns the cover 0..255 beyond the window over a floor, at sample i of a run; v as in
+ * foam_cover.h. */
+typedef uint32_t tp_foam_floor_cover(const struct tp_shade_foam *f, const tp_run *run,
+                                     int32_t i, uint32_t v);
+
+typedef struct tp_shade_foam {
     const uint8_t *cover;       /* torus of cells x cells bytes */
     uint32_t cells, col, row;   /* cells per side; cell before the low corner's cell */
     tp_fx    low_s, low_t;      /* rest position of the low corner, m */
@@ -213,6 +207,7 @@ typedef struct {
     uint16_t floor;             /* foam beyond the window over a floor, if far_fresh is 0:
                                  * 0 none, TP_FOAM_BEACH, or TP_FOAM_DEPTH by the
                                  * tp_foam_surf that follows */
+    tp_foam_floor_cover *floor_cover;       /* if `floor` is not 0 */
     bool     none;              /* no foam in this picture */
     bool     has_surf;          /* true: a tp_foam_surf follows */
     uint32_t square;            /* log2 of the cells along a square; 0: none is known */
@@ -245,7 +240,8 @@ typedef struct {
 
 /* Sets the data of surf; way and per_square of `foam` are set. */
 void tp_foam_surf_begin(tp_shade_foam_surf *foam, const tp_foam *field,
-                        const tp_world *world, const tp_scene *scene);
+                        const tp_wave_models *by, const tp_world *world,
+                        const tp_scene *scene);
 
 /* name; slopes bent by a ripple, 2: packed by fast stages; glint below the foam */
 #define TP_FOAM_STAGES(X) \

@@ -101,16 +101,3 @@ uint32_t tp_foam_open_mean(const tp_foam *foam, const tp_world *world)
     const uint64_t mean = open->count ? ((uint64_t)open->sum << 16) / open->count : 0;
     return mean < 255 << 8 ? (uint32_t)mean : 255 << 8;
 }
-
-/* Returns the mean of the cover at a rest position over a map, by the depth. */
-uint8_t tp_foam_map_mean(const tp_foam_maker *m, tp_fx x)
-{
-    const tp_fx depth = tp_coastal_floor(m->coastal, x, m->z).depth;
-    if (depth <= 0)
-        return 0;
-    const uint32_t open = tp_foam_open_mean(m->foam, m->world);
-    const uint32_t cover =
-        tp_foam_maker_mean_cover(m, depth, m->foam->visits / TP_FOAM_TICKS)
-        + ((open * tp_foam_maker_open_share(m, depth)) >> 16);
-    return (uint8_t)(cover < 255 ? cover : 255);
-}

@@ -40,9 +40,8 @@ TP_ALWAYS_INLINE uint32_t tp_foam_open_cover(const tp_shade_foam *f, uint32_t fa
     return cover < TP_FOAM_FAR_MOST ? cover : TP_FOAM_FAR_MOST;
 }
 
-/* Returns the cover 0..255 by the depth, TP_FOAM_DEPTH, at sample i of a run; v as above. */
-uint32_t tp_foam_surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
-                            uint32_t v);
+/* The cover of TP_FOAM_BEACH. */
+tp_foam_floor_cover tp_foam_shore_cover;
 
 /* Returns the variance of slopes of the waves that the grid leaves out at a sample's depth,
  * over the mean square, Q8. */

@@ -2,6 +2,7 @@
 /* Prepares the drawing of foam: the field's position at the drawn moment, its texture and
  * colour. */
 #include "features/foam/foam_cover.h"
+#include "features/foam/foam_visit.h"
 #include "features/foam/foam_window.h"
 #include "frame/frame.h"
 #include "world/pools.h"
@@ -79,7 +80,8 @@ static void set_mean_way(tp_shade_foam *f, const tp_world *world)
 /* Sets the direction of a straight beach, at right angles to the floor's rise, if its water
  * line passes the window's middle within half of the radius.  A stretch of 7/8 of the
  * window's radius repeats, so the stretch and its seam have their full weight. */
-static void set_shore(tp_shade_foam *f, const tp_scene *scene)
+static void set_shore(tp_shade_foam *f, const tp_scene *scene,
+                      const struct tp_water_foam_coast *coast)
 {
     const tp_turn rise = tp_turn_of_degrees(scene->floor.heading);
     const int64_t x = (int64_t)f->low_s + f->side / 2, z = (int64_t)f->low_t + f->side / 2;
@@ -93,6 +95,7 @@ static void set_shore(tp_shade_foam *f, const tp_scene *scene)
     f->shore_z = tp_sin(rise) / 65536;
     f->stretch = (int32_t)(f->side / 16 * 7);
     f->floor = TP_FOAM_BEACH;
+    f->floor_cover = coast->shore_cover;
 }
 
 #define OLD      128            /* of 256, over the field's mean: foam that crests left */
@@ -116,6 +119,7 @@ static void set_open_water(tp_shade_foam *f, uint32_t mean)
  * beach whose line is farther away, the depth then replaces it (foam_surf.c). */
 static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam *foam)
 {
+    const struct tp_water_foam_coast *coast = frame->program->water.foam_coast;
     const bool pool = tp_world_pool(frame->world) != NULL;
     const uint64_t square = (uint64_t)(foam->cells * 128) * (foam->cells * 128);
 
@@ -125,8 +129,8 @@ static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam 
     f->per_square = per_mean_square(frame->world);
     set_mean_way(f, frame->world);
     f->floor = 0;
-    if (!pool && tp_has_floor(frame->scene) && !frame->assets.floor)
-        set_shore(f, frame->scene);
+    if (!pool && coast && tp_has_floor(frame->scene) && !frame->assets.floor)
+        set_shore(f, frame->scene, coast);
 }
 
 /* Fast stages draw no cover below this, beyond the window by its largest. */
@@ -157,6 +161,7 @@ static void begin_foam(tp_frame *frame, void *mine)
     const tp_scene *scene = frame->scene;
     const tp_foam  *foam = tp_foam_of_world(frame->world);
     tp_shade_foam  *f = mine;
+    const struct tp_water_foam_coast *coast = frame->program->water.foam_coast;
 
     if (!foam)
         return;
@@ -168,9 +173,9 @@ static void begin_foam(tp_frame *frame, void *mine)
     const bool covered = tp_foam_find_empty_squares(f, fast ? FAST_LEAST : 1);
     if (fast)
         leave_out_thin_foam(f);
-    if (f->has_surf && f->floor != TP_FOAM_BEACH && f->edge != UINT32_MAX
+    if (f->has_surf && f->floor != TP_FOAM_BEACH && f->edge != UINT32_MAX && coast
         && tp_world_coastal(frame->world))
-        tp_foam_surf_begin(mine, foam, frame->world, scene);
+        coast->begin_surf(mine, foam, &frame->program->water, frame->world, scene);
     f->none = !covered && !has_far_foam(mine);
 }
 

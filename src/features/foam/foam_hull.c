@@ -2,7 +2,7 @@
 /* Foam of a hull: a line around it, and its wake.  Rates are chosen by eye, see
  * foam_sources.c. */
 #include "base/base.h"
-#include "features/foam/foam.h"
+#include "features/foam/foam_visit.h"
 #include "world/module.h"
 
 #define LINE_LEAST TP_FX(0.28)  /* m: half the width of the foam line */
@@ -46,7 +46,7 @@ static tp_fx wake_foam_intensity(const tp_foam_hull *h, tp_fx behind, tp_fx side
     return tp_fx_mul(most, tp_fx_mul(left, left));
 }
 
-uint32_t tp_foam_maker_hull_gain(const tp_foam_maker *m, tp_fx x)
+static uint32_t hull_gain(const tp_foam_maker *m, tp_fx x)
 {
     const tp_foam_hull *h = &m->hull;
     int64_t dx = (int64_t)x - h->x, dz = (int64_t)m->z - h->z;
@@ -109,7 +109,7 @@ static int64_t widest_beta(const tp_foam_maker *m)
 
 /* The cells lie in a box around the hull, and in a box along it, from the bow to the wake's
  * end. */
-bool tp_foam_maker_hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to)
+static bool hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to)
 {
     const tp_foam_hull *h = &m->hull;
     const int64_t dz = (int64_t)m->z - h->z, cells = m->foam->cells, cell = m->foam->cell;
@@ -138,7 +138,7 @@ bool tp_foam_maker_hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, u
 /* Finds the hull in rest positions.  The rest positions of the hull's four points give
  * its axes, whatever the waves' displacement.  The displacement is at most 600 m, so det
  * is below 2^53. */
-void tp_foam_maker_find_hull(tp_foam_maker *m)
+static void find_hull(tp_foam_maker *m)
 {
     const tp_boat_state *a = &m->world->boat_state;
     const tp_vec3 *now = &m->world->boat.place, *last = &m->world->last_boat.place;
@@ -168,3 +168,5 @@ void tp_foam_maker_find_hull(tp_foam_maker *m)
     h->pace = (tp_fx)tp_clamp_abs(way * TP_TICKS_PER_SECOND / PACE, TP_FX_ONE);
     h->foam_radius = h->pace != 0 ? (ARM_LONG + 1) * h->length : h->length + h->beam;
 }
+
+const struct tp_water_foam_hull tp_water_foam_hull = { find_hull, hull_gain, hull_range };

@@ -72,6 +72,23 @@ static void centre_window_on_pool_or_eye(tp_foam *foam, const tp_world *world,
     foam->first_z = first_window_cell(foam, z, foam->drift_z);
 }
 
+/* Refuses scenes whose sources of foam the program lacks. */
+static tp_status check(const tp_module_conditions *conditions, tp_error *err)
+{
+    const tp_scene *scene = conditions->scene;
+    const tp_wave_models *by = conditions->water;
+    const bool coast = conditions->above & TP_MODULE_COASTAL
+                       || (tp_has_floor(scene) && scene->pool.cols == 0);
+    const char *lacking =
+        !by                                       ? NULL
+        : coast && !by->foam_coast                ? "foam_coast"
+        : scene->pool.cols > 0 && !by->foam_walls ? "foam_walls"
+        : scene->boat.mesh[0] && scene->foam.hull > 0 && !by->foam_hull ? "foam_hull"
+        : scene->foam.slices > 1 && !by->foam_slices ? "foam_slices" : NULL;
+
+    return lacking ? tp_program_fail_lacking(lacking, err) : TP_OK;
+}
+
 static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,
                       tp_error *err)
 {
@@ -131,7 +148,7 @@ static void set_previous_row_points(tp_foam_visit *v, const tp_foam *foam)
 {
     for (uint32_t i = 0; i < foam->cells; i++) {
         const int32_t number = tp_lattice_cell_number(&v->x, i);
-        tp_foam_maker_sample_previous_row(
+        v->make.by->foam_coast->sample_previous_row(
             &v->make, i, tp_foam_cell_centre(foam, number, foam->drift_x));
     }
 }
@@ -154,40 +171,6 @@ static uint32_t visit_row(tp_foam_visit *v, tp_foam *foam, uint8_t *cover)
         sum += cover[i];
     }
     return sum;
-}
-
-/* Gives the cells of a row over a map that enter the window the mean, so the window shows
- * no edge when it moves.  `seen`: the window of the last visit; `all`: the row enters. */
-static void fill_entering_cells(const tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
-                                const tp_lattice_axis *seen, bool all)
-{
-    if (!all && seen->first == v->x.first)
-        return;
-    for (uint32_t i = 0; i < foam->cells; i++) {
-        const int32_t number = tp_lattice_cell_number(&v->x, i);
-        if (all || number != tp_lattice_cell_number(seen, i))
-            cover[i] = tp_foam_map_mean(&v->make,
-                                        tp_foam_cell_centre(foam, number, foam->drift_x));
-    }
-}
-
-/* Adds every sixteenth cell of a row that lies in open water. */
-static void count_open_water(const tp_foam_visit *v, tp_foam *foam, const uint8_t *cover)
-{
-    tp_foam_open *open = tp_foam_open_water(foam);
-
-    for (uint32_t i = 0; i < foam->cells; i += 16) {
-        const int32_t number = tp_lattice_cell_number(&v->x, i);
-        const tp_fx x = tp_foam_cell_centre(foam, number, foam->drift_x);
-        const tp_fx depth = tp_coastal_floor(v->map, x, v->make.z).depth;
-        const uint32_t share = depth > 0 ? tp_foam_maker_open_share(&v->make, depth) : 0;
-        if (share < TP_FOAM_OPEN_SHARE)
-            continue;
-        open->sum += cover[i];
-        open->count += share;
-    }
-    for (; open->count >= TP_FOAM_OPEN_COUNT; open->count /= 2)
-        open->sum /= 2;
 }
 
 static void visit_slice(tp_foam_visit *v, tp_foam *foam)
@@ -215,12 +198,12 @@ static void visit_slice(tp_foam_visit *v, tp_foam *foam)
             set_previous_row_points(v, foam);
         last = number;
         if (v->map)
-            fill_entering_cells(v, foam, cover, &seen_x,
-                                number != tp_lattice_cell_number(&v->seen_z, j));
-        sum += v->slices > 1 ? tp_foam_visit_row_sparsely(v, foam, cover, number)
+            v->make.by->foam_coast->fill_entering_cells(
+                v, foam, cover, &seen_x, number != tp_lattice_cell_number(&v->seen_z, j));
+        sum += v->slices > 1 ? v->make.by->foam_slices->visit_row(v, foam, cover, number)
                              : visit_row(v, foam, cover);
         if (v->map && j % 2 == 0)
-            count_open_water(v, foam, cover);
+            v->make.by->foam_coast->count_open_water(v, foam, cover);
     }
     foam->sum[q] = sum;
     foam->seen[q][0] = foam->first_x;
@@ -249,18 +232,19 @@ static void leave_slice(tp_foam *foam)
 }
 
 /* Advances the foam by one tick, after all other modules have moved. */
-static void step_foam(tp_foam *foam, const tp_world *world, const tp_scene *scene)
+static void step_foam(tp_foam *foam, const tp_wave_models *by, const tp_world *world,
+                      const tp_scene *scene)
 {
     tp_foam_visit v;
 
     v.kept_q24 = tp_foam_kept_share(scene->foam.fade);
-    v.map = tp_foam_map(world);
-    v.slices = foam->slices;
+    v.map = by->foam_coast ? tp_foam_map(world) : NULL;
+    v.slices = by->foam_slices ? foam->slices : 1;
 
     foam->drift_x = advance_drift(foam, foam->drift_x, scene->foam.map.drift_x, 0);
     foam->drift_z = advance_drift(foam, foam->drift_z, scene->foam.map.drift_z, 1);
     centre_window_on_pool_or_eye(foam, world, scene);
-    tp_foam_maker_begin(&v.make, foam, world, scene);
+    tp_foam_maker_begin(&v.make, foam, by, world, scene);
     v.sparse.ready = false;
     v.sparse.waves = tp_foam_maker_has_waves(&v.make);
     v.sparse.sources = v.sparse.waves || v.make.pool;
@@ -316,8 +300,8 @@ static bool fits(const void *mine, const tp_scene *scene)
 static void step(void *mine, const tp_program *program, tp_world *world,
                  const tp_scene *scene, const tp_input *input)
 {
-    (void)program, (void)input;
-    step_foam(mine, world, scene);
+    (void)input;
+    step_foam(mine, &program->water, world, scene);
 }
 
 static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
@@ -331,6 +315,6 @@ static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *im
 const tp_module tp_foam_module = {
     .name = "foam", .id = TP_FOAM_ID,
     .trait = TP_TRAIT_foam, .enabled = tp_foam_enabled,
-    .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = handle_impact,
+    .check = check, .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = handle_impact,
     .is_valid = is_valid,
 };

@@ -65,14 +65,14 @@ static uint32_t cell_gain(tp_foam_visit *v, uint32_t k, tp_fx x, bool due, bool 
     uint32_t gain = due && v->sparse.waves ? wave_gain_of_cell(&v->sparse, k) : 0;
 
     if (due && v->make.pool) {
-        const uint32_t walls = tp_foam_maker_wall_gain(&v->make, x);
+        const uint32_t walls = v->make.by->foam_walls->gain(&v->make, x);
         if (walls == TP_FOAM_DRY)
             return walls;
         gain += walls;
     }
     gain = repeat_gain(gain < TP_FOAM_GAIN_MOST ? gain : TP_FOAM_GAIN_MOST, v->slices);
     if (hull)
-        gain += tp_foam_maker_hull_gain(&v->make, x);
+        gain += v->make.by->foam_hull->gain(&v->make, x);
     return gain < TP_FOAM_GAIN_MOST ? gain : TP_FOAM_GAIN_MOST;
 }
 
@@ -145,14 +145,15 @@ static bool begin_row(tp_foam_visit *v, const tp_foam *foam, int32_t number)
     return true;
 }
 
-uint32_t tp_foam_visit_row_sparsely(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
-                                    int32_t number)
+static uint32_t visit_row(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
+                          int32_t number)
 {
     const bool due = begin_row(v, foam, number);
     uint32_t hull[2] = { 0, 0 };
 
     clear_entering_cells(v, cover, foam->cells);
-    if (!tp_foam_maker_hull_range(&v->make, v->low_x, &hull[0], &hull[1]))
+    if (!v->make.has_hull
+        || !v->make.by->foam_hull->range(&v->make, v->low_x, &hull[0], &hull[1]))
         hull[0] = hull[1] = 0;
     if (!due && hull[0] == hull[1])
         return fade_row(v, cover, foam->cells);
@@ -163,3 +164,5 @@ uint32_t tp_foam_visit_row_sparsely(tp_foam_visit *v, const tp_foam *foam, uint8
         fade_cells(v, foam, cover, hull[1], foam->cells);
     return sum_of_row(cover, foam->cells);
 }
+
+const struct tp_water_foam_slices tp_water_foam_slices = { visit_row };

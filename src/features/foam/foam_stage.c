@@ -37,12 +37,15 @@ TP_ALWAYS_INLINE uint32_t weigh_cover(const tp_shade_foam *f, uint32_t s, uint32
  * window's middle repeats, at the same distance from the water's line.  Over the last eighth
  * of a stretch the cover passes into that before the stretch's beginning, so no seam
  * shows. */
-static uint32_t shore_cover(const tp_shade_foam *f, uint32_t s, uint32_t t)
+uint32_t tp_foam_shore_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
+                             uint32_t v)
 {
+    uint32_t s = run->s[i], t = run->t[i];
     const int32_t ds = (int32_t)(s - (uint32_t)f->low_s - f->side / 2);
     const int32_t dt = (int32_t)(t - (uint32_t)f->low_t - f->side / 2);
     const int64_t across = ((int64_t)dt * f->shore_x - (int64_t)ds * f->shore_z) >> 13;
 
+    (void)v;
     if (across >= f->side || -across >= f->side)
         return 0;
     const int32_t along = (int32_t)(((int64_t)ds * f->shore_x + (int64_t)dt * f->shore_z)
@@ -77,18 +80,11 @@ uint32_t tp_foam_filtered_variance(const tp_shade *shade, const tp_shade_foam *f
     return tp_foam_relative_square(f, v.left);
 }
 
-/* Returns the cover 0..255 beyond the window over a floor. */
-static uint32_t floor_cover(const tp_shade_foam *f, const tp_run *run, int32_t i, uint32_t v)
-{
-    return f->floor == TP_FOAM_DEPTH ? tp_foam_surf_cover(f, run, i, v)
-                                     : shore_cover(f, run->s[i], run->t[i]);
-}
-
 TP_ALWAYS_INLINE uint32_t far_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
                                     uint32_t v)
 {
     if (!f->far_fresh)
-        return f->floor ? floor_cover(f, run, i, v) : 0;
+        return f->floor ? f->floor_cover(f, run, i, v) : 0;
     return tp_foam_open_cover(f, f->far_fresh, f->far_old, run, i, v);
 }
 

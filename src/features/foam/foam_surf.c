@@ -34,13 +34,13 @@ static int32_t period_swing(const tp_world *world, const tp_scene *scene)
     return swing < 256 ? (int32_t)swing : 256;
 }
 
-static void make_means(tp_foam_surf *surf, const tp_foam *field, const tp_world *world,
-                       const tp_scene *scene)
+static void make_means(tp_foam_surf *surf, const tp_foam *field, const tp_wave_models *by,
+                       const tp_world *world, const tp_scene *scene)
 {
     tp_foam_maker make;
     const uint32_t visits = field->visits / TP_FOAM_TICKS;
 
-    tp_foam_maker_begin(&make, (tp_foam *)(uintptr_t)field, world, scene);
+    tp_foam_maker_begin(&make, (tp_foam *)(uintptr_t)field, by, world, scene);
     surf->deepest = 0;
     for (uint32_t n = 0; n < TP_COASTAL_DEPTHS; n++) {
         const tp_fx depth = tp_coastal_node_depth(n, 3);
@@ -79,30 +79,9 @@ static void set_plane(tp_foam_surf *surf, const tp_scene *scene)
     surf->rise_z = -(int32_t)((int64_t)tp_cos(rise) * scene->floor.slope >> 16);
 }
 
-void tp_foam_surf_begin(tp_shade_foam_surf *both, const tp_foam *field,
-                        const tp_world *world, const tp_scene *scene)
-{
-    tp_shade_foam *f = &both->foam;
-    tp_foam_surf *surf = &both->surf;
-    const tp_coastal_water *map = tp_foam_map(world);
-    const uint32_t root = tp_isqrt64(((uint64_t)1 << 32) / f->per_square);  /* Q12 */
-
-    if (map)
-        set_nodes(surf, map);
-    else
-        set_plane(surf, scene);
-    surf->open_fresh = f->far_fresh;
-    surf->open_old = f->far_old;
-    f->far_fresh = 0;
-    f->floor = TP_FOAM_DEPTH;
-    surf->per_slope = (1u << 23) / (root > SLOPE_LEAST ? root : SLOPE_LEAST);
-    surf->swing = world->deep.count ? period_swing(world, scene) : 0;
-    make_means(surf, field, world, scene);
-}
-
 /* Returns the mean of the surf, more on the waves' backs and less on their fronts.  A slope
  * of twice the mean takes all of the swing. */
-static uint32_t surf_cover(const tp_shade_foam *f, const tp_foam_surf *surf, uint32_t mean,
+static uint32_t swung_mean(const tp_shade_foam *f, const tp_foam_surf *surf, uint32_t mean,
                            const tp_run *run, int32_t i)
 {
     const int32_t up = (tp_slope_x(run, i, 0) * f->way_x + tp_slope_z(run, i, 0) * f->way_z)
@@ -148,8 +127,7 @@ TP_ALWAYS_INLINE tp_fx shallow_depth(const tp_foam_surf *surf, uint32_t s, uint3
                           (int32_t)(v & 0xffff));
 }
 
-uint32_t tp_foam_surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i,
-                            uint32_t v)
+static uint32_t surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i, uint32_t v)
 {
     const tp_foam_surf *surf = &((const tp_shade_foam_surf *)(const void *)f)->surf;
     const tp_fx depth = shallow_depth(surf, run->s[i], run->t[i]);
@@ -160,10 +138,33 @@ uint32_t tp_foam_surf_cover(const tp_shade_foam *f, const tp_run *run, int32_t i
     const uint8_t *mean = surf->mean + at.depth, *open = surf->open + at.depth;
     const uint32_t share = (uint32_t)tp_coastal_mix(open[0], open[1], at.depth_fraction);
     const uint32_t there = (uint32_t)tp_coastal_mix(mean[0], mean[1], at.depth_fraction);
-    uint32_t cover = there ? surf_cover(f, surf, there, run, i) : 0;
+    uint32_t cover = there ? swung_mean(f, surf, there, run, i) : 0;
 
     if (share && surf->open_fresh)
         cover += tp_foam_open_cover(f, surf->open_fresh, surf->open_old, run, i, v)
                * share / 255;
     return cover < 255 ? cover : 255;
+}
+
+void tp_foam_surf_begin(tp_shade_foam_surf *both, const tp_foam *field,
+                        const tp_wave_models *by, const tp_world *world,
+                        const tp_scene *scene)
+{
+    tp_shade_foam *f = &both->foam;
+    tp_foam_surf *surf = &both->surf;
+    const tp_coastal_water *map = tp_foam_map(world);
+    const uint32_t root = tp_isqrt64(((uint64_t)1 << 32) / f->per_square);  /* Q12 */
+
+    if (map)
+        set_nodes(surf, map);
+    else
+        set_plane(surf, scene);
+    surf->open_fresh = f->far_fresh;
+    surf->open_old = f->far_old;
+    f->far_fresh = 0;
+    f->floor = TP_FOAM_DEPTH;
+    f->floor_cover = surf_cover;
+    surf->per_slope = (1u << 23) / (root > SLOPE_LEAST ? root : SLOPE_LEAST);
+    surf->swing = world->deep.count ? period_swing(world, scene) : 0;
+    make_means(surf, field, by, world, scene);
 }

@@ -59,9 +59,51 @@ static inline uint8_t tp_foam_next_cover(uint32_t cover, const tp_foam_visit *v,
     return (uint8_t)((held + threshold) >> 24);
 }
 
+/* -- parts of a program -------------------------------------------------------------- */
+
+/* Foam of coastal water, foam_coast.c; and its cover beyond the window. */
+struct tp_water_foam_coast {
+    /* tp_foam_maker_gain and tp_foam_maker_wave_gain, without other sources. */
+    uint32_t (*gain)(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour);
+    uint32_t (*wave_gain)(const tp_foam_maker *m, tp_fx x);
+    /* Prepares the displaced positions of the row at m->z - cell.  Call once for each cell
+     * of a row before asking for the row, unless the last row was the neighbour at
+     * z - cell. */
+    void (*sample_previous_row)(tp_foam_maker *m, uint32_t col, tp_fx x);
+    /* Over a map of the floor: gives the cells of a row that enter the window the mean, so
+     * the window shows no edge when it moves.  `seen`: the window of the last visit; `all`:
+     * the row enters. */
+    void (*fill_entering_cells)(const tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
+                                const tp_lattice_axis *seen, bool all);
+    /* Over a map: adds every sixteenth cell of a row that lies in open water. */
+    void (*count_open_water)(const tp_foam_visit *v, tp_foam *foam, const uint8_t *cover);
+    void (*begin_surf)(tp_shade_foam_surf *foam, const tp_foam *field,
+                       const tp_wave_models *by, const tp_world *world,
+                       const tp_scene *scene);
+    tp_foam_floor_cover *shore_cover;
+};
+
+/* Foam along the walls of a pool, foam_sources.c. */
+struct tp_water_foam_walls {
+    void (*begin)(tp_foam_maker *m);
+    /* TP_FOAM_DRY inside a wall, 0 outside of the pool. */
+    uint32_t (*gain)(const tp_foam_maker *m, tp_fx x);
+};
+
+/* Foam of a hull, foam_hull.c. */
+struct tp_water_foam_hull {
+    void (*find)(tp_foam_maker *m);         /* in rest positions */
+    uint32_t (*gain)(const tp_foam_maker *m, tp_fx x);
+    /* Sets the cells from..to, counted from the cell at x, that the hull may reach in the
+     * row; false: none. */
+    bool (*range)(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to);
+};
+
 /* Visits a row, number `number` of the lattice, of a scene of several slices; returns the
  * sum of its cover. */
-uint32_t tp_foam_visit_row_sparsely(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
-                                    int32_t number);
+struct tp_water_foam_slices {
+    uint32_t (*visit_row)(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
+                          int32_t number);
+};
 
 #endif

@@ -317,7 +317,8 @@ static bool draw_face(tp_frame *frame, uint32_t *samples, tp_view *view, uint32_
     memset(texels, 0, TP_OBJECT_CUBE_SIDE * TP_OBJECT_CUBE_SIDE * sizeof *texels);
     for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
         tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, samples, samples + plane,
-                            samples + 2 * plane, samples + 3 * plane, false, 0, NULL, 0, 0 };
+                            samples + 2 * plane, samples + 3 * plane, false, 0, NULL, 0, 0,
+                            NULL };
         if (!tp_box_overlaps_tile(&box, &band))
             continue;
         tp_gbuffer_clear(&band);

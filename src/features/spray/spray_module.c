@@ -9,6 +9,7 @@
  * their own.  A full list drops and counts new specks. */
 #include "base/base.h"
 #include "features/spray/spray.h"
+#include "view/wave_models.h"
 #include "waves/coastal_tables.h"
 #include "waves/deep_water.h"
 #include "world/module.h"
@@ -170,7 +171,7 @@ static tp_fx coastal_spray_strength(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     const tp_fx d = TP_FX_ONE / 4;
     tp_coastal_point at =
-        tp_coastal_displace_point(surface->coastal, surface->phases, x, z);
+        surface->by->coastal->breaking(surface->coastal, surface->phases, x, z);
 
     if (at.depth <= tp_coastal_breaking_foam_depth(surface->coastal) || at.position.y < 0)
         return at.breaking * 257;

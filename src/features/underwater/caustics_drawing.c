@@ -45,7 +45,7 @@ static tp_fx sample_depth(const tp_frame *frame, tp_fx x, tp_fx z)
 {
     const tp_underwater *in = frame->shade.underwater;
     tp_fx depth =
-        in->coastal ? tp_coastal_floor(in->coastal, x, z).depth : in->floor_plane.depth;
+        in->coastal ? in->sample_floor(in->coastal, x, z).depth : in->floor_plane.depth;
     return tp_clamp(depth, 0, 100 * TP_FX_ONE);
 }
 
@@ -81,11 +81,9 @@ static tp_surface_point displaced_coastal_point(const tp_surface *s, tp_fx x, tp
 {
     const tp_fx d = TP_FX_ONE / 32, x0 = tp_fx_add_sat(x, off[0]),
                 z0 = tp_fx_add_sat(z, off[1]);
-    tp_vec3 at = tp_coastal_displace_no_overhang(s->coastal, s->phases, x0, z0).position;
-    tp_vec3 east =
-        tp_coastal_displace_no_overhang(s->coastal, s->phases, tp_fx_add_sat(x0, d), z0).position;
-    tp_vec3 south =
-        tp_coastal_displace_no_overhang(s->coastal, s->phases, x0, tp_fx_add_sat(z0, d)).position;
+    const tp_vec3 at = tp_surface_displace(s, x0, z0);
+    const tp_vec3 east = tp_surface_displace(s, tp_fx_add_sat(x0, d), z0);
+    const tp_vec3 south = tp_surface_displace(s, x0, tp_fx_add_sat(z0, d));
     tp_surface_point p = { .position = at };
 
     tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
@@ -100,7 +98,7 @@ static tp_surface_point displaced_surface_point(const tp_surface *s, tp_fx x, tp
                                                 tp_fx off[2])
 {
     tp_surface_point p = s->coastal ? displaced_coastal_point(s, x, z, off)
-                              : tp_deep_water_displace_point(s->deep, s->phases, x, z);
+                                    : tp_surface_displaced(s, x, z);
 
     if (tp_surface_has_rings_or_pools(s)) {
         tp_height_slope relief = tp_rings_pools_sample(s, p.position.x, p.position.z);
@@ -288,6 +286,8 @@ static void begin_caustic_map(tp_frame *frame, void *mine)
     bool    coastal = frame->shade.underwater->coastal != NULL;
     tp_fall still = refract_light(&frame->shade, 0, 0);
 
+    frame->stats.dropped += !coastal && tp_surface_has_swells(&frame->surface)
+                            && !frame->surface.by->samples;
     map->look = (tp_caustic){
         .light = map->light, .x = r.x0, .z = r.z0, .cells = cells,
         .per_metre_x = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(wide + !wide)),

@@ -76,6 +76,7 @@ static void set_walls_and_floor(const tp_frame *frame, tp_underwater *in)
     in->walled = tank && !in->island;
     in->floored = in->walled || (!tank && floor && frame->surface.coastal);
     in->coastal = !tank && floor ? frame->surface.coastal : NULL;
+    in->sample_floor = in->coastal ? frame->surface.by->coastal->floor : NULL;
     in->x0 = r.x0;
     in->x1 = r.x1;
     in->z0 = r.z0;
