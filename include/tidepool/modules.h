@@ -120,6 +120,7 @@ extern const struct tp_water_swells tp_water_baked_swells;
     X(tone_rgb565) X(tone_rgb565be)     /* tone mapping and store at once */ \
     /* the makers of tables that are not baked, TP_TABLE_LIST: */ \
     X(shine) X(tones) X(dome) X(light) X(ripple_sums) \
+    X(grid_rows)        /* for triangles and rows */ \
     X(baking)           /* fast water's textures, if the assets have none */ \
     X(cube_map)         /* fast water's map of a cube sky */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \

@@ -330,8 +330,10 @@ const char *tp_frame_lacks(const tp_frame *frame)
 {
     const uint32_t who = frame->lacking;
 
-    if (who >= TP_LACKING_CELLS)
-        return who == TP_LACKING_SKY ? "sky" : who == TP_LACKING_SAMPLES ? "samples" : "cells";
+    static const char *const others[] = { "grid_rows", "cells", "samples", "sky" };
+
+    if (who >= TP_LACKING_ROWS)
+        return others[who - TP_LACKING_ROWS];
     return who ? frame->program->modules[who - 1].module->name : NULL;
 }
 

@@ -102,7 +102,8 @@ struct tp_frame {
                                          * something, or ... */
 #define TP_LACKING_SKY     255          /* ... no module draws the scene's sky, */
 #define TP_LACKING_SAMPLES 254          /* no water is known above positions, */
-#define TP_LACKING_CELLS   253          /* no triangles of the grid are drawn */
+#define TP_LACKING_CELLS   253          /* no triangles of the grid are drawn, */
+#define TP_LACKING_ROWS    252          /* the grid's rows are not placed */
     tp_own_table    *own_table[TP_TABLE_COUNT];     /* in use; NULL: baked, or none */
 
     tp_shade         shade;
@@ -172,6 +173,23 @@ void tp_frame_place_level(tp_frame *frame);
 void tp_frame_layout_slopes(tp_frame_buffers *buffers, tp_arena *arena,
                             const tp_scene *scene, const tp_config *config);
 void tp_frame_place_slopes(tp_frame *frame);
+
+/* grid_rows.c: baked rows of the grid.  tp_frame_use_baked_rows sets them, and counts them
+ * as dropped if the frame's numbers are others.  tp_frame_pack_rows returns the rows placed
+ * last as a table without its numbers' memory: `entries` has TP_FRAME_ROWS_WORDS, *count
+ * receives how many are filled, 0 if such water cannot be baked. */
+#define TP_ROWS_NUMBERS 20
+#define TP_FRAME_ROWS_WORDS(rows) (5 + 7 * (rows) + 3 * (TP_ROUGH_STEPS + 1))
+void tp_frame_use_baked_rows(tp_frame *frame);
+const tp_filtered_waves *tp_frame_filtered_waves(const tp_frame *frame);    /* or NULL */
+void tp_frame_pack_rows(const tp_frame *frame, int32_t numbers[TP_ROWS_NUMBERS],
+                        int32_t *entries, uint32_t *count);
+
+static inline bool tp_frame_has_grid_rows(const tp_frame *frame)
+{
+    const tp_grid *grid = frame->buffers.grid;
+    return frame->program->draw.grid_rows || (grid && !grid->fan->placed);
+}
 
 /* grid_water.c: starts the grid's lines, then places the points of line j, in order
  * from 0.  A tile reads them through a window in its renderer's memory. */

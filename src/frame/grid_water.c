@@ -54,6 +54,19 @@ static void choose_weights(const tp_frame *frame, tp_grid *grid)
     grid->half_px = half_px;
 }
 
+static void place_rows(tp_frame *frame, tp_grid *grid)
+{
+    const struct tp_draw_grid_rows *by = frame->program->draw.grid_rows;
+
+    if (!grid->fan->placed) {
+        tp_frame_use_baked_rows(frame);
+        return;
+    }
+    by->place(grid, &frame->grid_view);
+    if (frame->buffers.filtered)
+        by->fill_variance(grid, frame->buffers.filtered);
+}
+
 void tp_frame_begin_grid(tp_frame *frame)
 {
     const struct tp_draw_fast_triangles *fast = frame->program->draw.fast_triangles;
@@ -65,9 +78,8 @@ void tp_frame_begin_grid(tp_frame *frame)
     frame->draw_triangle = exact ? exact->draw : NULL;
     choose_vertices(frame, grid);
     choose_weights(frame, grid);
-    tp_grid_place_rows(grid, &frame->grid_view);
-    if (frame->buffers.filtered)
-        tp_fan_fill_variance(grid, frame->buffers.filtered);
+    tp_grid_begin(grid, &frame->grid_view);
+    place_rows(frame, grid);
     frame->cull_water = frame->projection.eye.y > tp_surface_height_bound(&frame->surface);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
         frame->stats.triangles += 2u * (uint32_t)(grid->span[j].end - grid->span[j].first);
@@ -137,12 +149,15 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
     tp_grid  counted;
     tp_grid *grid = layout_grid(buffers, arena, &counted);
 
-    (void)config;
-    tp_grid_layout(grid, arena, tp_fan_budget(scene), most_swells(program, scene),
-                   tp_frame_is_grid_streamed(program));
-    buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
-    if (buffers->filtered)
-        tp_filtered_waves_clear(buffers->filtered);
+    tp_grid_layout_vertices(grid, arena, tp_fan_budget(scene),
+                            tp_frame_is_grid_streamed(program));
+    if (!tp_assets_table(config->assets, TP_TABLE_rows)) {
+        tp_grid_layout_rows(grid, arena, tp_fan_budget(scene),
+                            most_swells(program, scene));
+        buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);
+        if (buffers->filtered)
+            tp_filtered_waves_clear(buffers->filtered);
+    }
     if (tp_frame_has_coast(program, scene))
         program->water.coastal->layout(grid, arena, tp_fan_budget(scene));
 }

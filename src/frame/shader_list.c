@@ -305,7 +305,7 @@ void tp_frame_set_up_shading(tp_frame *frame)
     shade->dark = 0;
     shade->filtered =       /* a grid leaves nothing out of level water */
         scene->water.rough && tp_surface_has_swells(&frame->surface)
-            ? frame->buffers.filtered : NULL;
+            ? tp_frame_filtered_waves(frame) : NULL;
     shade->ripple = NULL;
     shade->fresnel = tp_fresnel_table;
     set_sky_gradient(frame);

@@ -12,7 +12,7 @@ static const uint8_t numbers_of[TP_TABLE_COUNT] = {
 tp_own_table *tp_table_layout(tp_arena *arena, const tp_assets *assets, tp_table_id id,
                               size_t bytes)
 {
-    if (assets->tables && assets->tables->table[id].entries)
+    if (tp_assets_table(assets, id))
         return NULL;
     const size_t all = (1u + numbers_of[id]) * sizeof(int32_t) + bytes;
     tp_own_table *own = tp_arena_alloc(arena, (all + 3) / 4, sizeof *own);

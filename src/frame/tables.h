@@ -30,6 +30,13 @@ struct tp_draw_ripple_sums { tp_table_maker maker; };
  * entries. */
 typedef int32_t tp_own_table;
 
+/* Returns a table of the assets; NULL: not baked. */
+static inline const tp_table *tp_assets_table(const tp_assets *assets, tp_table_id id)
+{
+    return assets && assets->tables && assets->tables->table[id].entries
+               ? &assets->tables->table[id] : NULL;
+}
+
 /* Allocates a table of `bytes`, empty; NULL: the assets have it, or the arena only
  * counts. */
 tp_own_table *tp_table_layout(tp_arena *arena, const tp_assets *assets, tp_table_id id,

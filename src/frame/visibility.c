@@ -82,9 +82,18 @@ static uint8_t fast_column_bits(const tp_frame *frame)
     return rung >= TP_RUNG_PAIRS ? pairs : 4;
 }
 
-/* Returns the renderer of this frame. */
+/* True if the renderer has no grid, and so filters no waves. */
+static bool is_level(tp_visibility visibility)
+{
+    return visibility == TP_VISIBILITY_PROJECTED || visibility == TP_VISIBILITY_FLAT
+        || visibility == TP_VISIBILITY_WALK;
+}
+
+/* Returns the renderer of this frame; NULL: none, or nothing places its rows. */
 static const struct tp_water_renderer *chosen_renderer(const tp_frame *frame)
 {
+    if (!is_level(frame->visibility) && !tp_frame_has_grid_rows(frame))
+        return NULL;
     return frame->visibility == TP_VISIBILITY_ROWS && frame->column_bits
                ? frame->program->method.lines
                : tp_frame_renderer(frame->program, frame->visibility);
@@ -113,13 +122,6 @@ static void set_grid_view(tp_frame *frame)
             u->module->detail(frame->scene, flat, &frame->grid_view.detail);
 }
 
-/* True if the renderer has no grid, and so filters no waves. */
-static bool is_level(tp_visibility visibility)
-{
-    return visibility == TP_VISIBILITY_PROJECTED || visibility == TP_VISIBILITY_FLAT
-        || visibility == TP_VISIBILITY_WALK;
-}
-
 void tp_frame_choose_visibility(tp_frame *frame)
 {
     const struct tp_water_renderer *method =
@@ -146,7 +148,7 @@ void tp_frame_place_surface(tp_frame *frame)
     if (method)
         method->place(frame);
     else
-        frame->stats.dropped++;
+        tp_frame_count_lack(frame, tp_frame_has_grid_rows(frame) ? 0 : TP_LACKING_ROWS);
 }
 
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Placement and visible cells of a fan; see the header. */
+#include "tidepool/modules.h"
 #include "view/fan.h"
 #include "view/wave_models.h"
 #include "waves/coastal_tables.h"
@@ -86,10 +87,10 @@ static void place_rows(tp_grid *grid, const tp_grid_view *view, const tp_fan_vie
     grid->rows = fan->law.rows;
     grid->blocks = (grid->cols - 2) / TP_GRID_BLOCK + 1;
     for (uint32_t j = 0; j < grid->rows; j++)
-        fan->row[j] = tp_fan_law_row(&fan->law, numbers, grid->rows - 1 - j);
+        fan->placed[j] = tp_fan_law_row(&fan->law, numbers, grid->rows - 1 - j);
     tp_projection_planes(view->projection, view->width, view->height, planes);
     for (uint32_t j = 0; j + 1 < grid->rows; j++)
-        grid->span[j] = visible_cells(grid, planes, j, room);
+        grid->placed_span[j] = visible_cells(grid, planes, j, room);
 }
 
 /* Updates the law and the numbers of the rows beyond those; true if one has changed. */
@@ -117,3 +118,7 @@ void tp_fan_place_rows(tp_grid *grid, const tp_grid_view *view)
     for (uint32_t i = 0; surface->coastal && i < surface->deep->count; i++)
         fan->wind[i] = wind_share(surface, i);
 }
+
+const struct tp_draw_grid_rows tp_draw_grid_rows = {
+    tp_fan_place_rows, tp_fan_fill_variance,
+};

@@ -97,7 +97,8 @@ typedef struct {
 typedef struct tp_fan {
     tp_fan_law  law;
     int32_t     law_for[TP_FAN_KEY];    /* its numbers; all 0: not solved yet */
-    tp_fan_row *row;            /* from the farthest to the nearest */
+    const tp_fan_row *row;      /* from the farthest to the nearest */
+    tp_fan_row *placed;         /* the memory of the rows; NULL: they are baked */
     tp_fx       rows_for[3];    /* numbers of the rows beyond those of the law: the eye's x
                                  * and z, near */
     bool        moved;          /* true: placed with other rows than before */

@@ -19,18 +19,15 @@ void tp_grid_detail_widen(tp_water_detail *to, int64_t length, tp_rectangle by)
     sides->z1 = by.z1 > sides->z1 ? by.z1 : sides->z1;
 }
 
-void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
-                    bool streams)
+void tp_grid_layout_vertices(tp_grid *grid, tp_arena *arena, uint32_t vertices,
+                             bool streams)
 {
     const uint32_t cols = tp_fan_most_cols(vertices), rows = tp_fan_most_rows(vertices);
     tp_fan *fan = tp_arena_alloc(arena, 1, sizeof *fan);
-    tp_fan_row *row = tp_arena_alloc(arena, rows, sizeof *row);
-    tp_fan_swell *swell = tp_arena_alloc(arena, swells, sizeof *swell);
 
     memset(grid, 0, sizeof *grid);
     grid->most_cols = cols;
     grid->streams = streams;
-    grid->span = tp_arena_alloc(arena, rows, sizeof *grid->span);
     grid->box = tp_arena_alloc(arena, TP_FAN_BLOCKS(vertices, rows), sizeof *grid->box);
     tp_grid_vertex *vertex =
         tp_arena_alloc(arena, streams ? 2 * cols : vertices, sizeof *vertex);
@@ -38,8 +35,28 @@ void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t 
     grid->window.memory = streams ? vertex : NULL;
     grid->fan = fan;
     if (fan)
-        *fan = (tp_fan){ .row = row, .vertices = vertices, .filtered_for = swell,
-                         .most_swells = swells };
+        *fan = (tp_fan){ .vertices = vertices };
+}
+
+void tp_grid_layout_rows(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells)
+{
+    const uint32_t rows = tp_fan_most_rows(vertices);
+    tp_fan_row *row = tp_arena_alloc(arena, rows, sizeof *row);
+    tp_fan_swell *swell = tp_arena_alloc(arena, swells, sizeof *swell);
+
+    grid->span = grid->placed_span = tp_arena_alloc(arena, rows, sizeof *grid->span);
+    if (grid->fan) {
+        grid->fan->row = grid->fan->placed = row;
+        grid->fan->filtered_for = swell;
+        grid->fan->most_swells = swells;
+    }
+}
+
+void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
+                    bool streams)
+{
+    tp_grid_layout_vertices(grid, arena, vertices, streams);
+    tp_grid_layout_rows(grid, arena, vertices, swells);
 }
 
 void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices)
@@ -198,12 +215,17 @@ tp_grid_span tp_grid_needed_vertices(const tp_grid *grid, uint32_t j)
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-void tp_grid_place_rows(tp_grid *grid, const tp_grid_view *view)
+void tp_grid_begin(tp_grid *grid, const tp_grid_view *view)
 {
     grid->projection = view->projection;
     grid->surface = view->surface;
     forget_rows(&grid->window);
     grid->vertices = 0;
+}
+
+void tp_grid_place_rows(tp_grid *grid, const tp_grid_view *view)
+{
+    tp_grid_begin(grid, view);
     tp_fan_place_rows(grid, view);
 }
 

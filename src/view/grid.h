@@ -55,7 +55,8 @@ typedef struct {
     bool            plain_normals;      /* quality.normals is fast */
     uint8_t         half_px;    /* limit of `large`, 1/2 px */
     tp_grid_window  window;     /* for tp_grid_evaluate_row, valid until the next call */
-    tp_grid_span   *span;       /* visible cells of each row */
+    const tp_grid_span *span;   /* visible cells of each row */
+    tp_grid_span   *placed_span;        /* their memory; NULL: they are baked */
     tp_grid_box    *box;        /* bounding boxes, (rows - 1) x blocks */
     uint32_t vertices;          /* vertices evaluated in the last frame */
     const tp_projection *projection;
@@ -100,6 +101,12 @@ struct tp_draw_large_waves {
 void tp_grid_layout(tp_grid *grid, tp_arena *arena, uint32_t vertices, uint32_t swells,
                     bool streams);
 
+/* The same without memory for rows, which are baked; and the memory for rows that are not. */
+void tp_grid_layout_vertices(tp_grid *grid, tp_arena *arena, uint32_t vertices,
+                             bool streams);
+void tp_grid_layout_rows(tp_grid *grid, tp_arena *arena, uint32_t vertices,
+                         uint32_t swells);
+
 /* Returns the cells of block b of a row, without cells out of view. */
 static inline tp_grid_span tp_grid_block_span(tp_grid_span span, uint32_t b)
 {
@@ -141,6 +148,14 @@ typedef struct {
     tp_water_detail detail;
 } tp_grid_view;
 
+struct tp_filtered_waves;
+
+/* Places rows that are not baked, and fills their slope variance; fan.c. */
+struct tp_draw_grid_rows {
+    void (*place)(tp_grid *grid, const tp_grid_view *view);
+    void (*fill_variance)(const tp_grid *grid, struct tp_filtered_waves *filtered);
+};
+
 static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)
 {
     size_t at = (size_t)j * grid->cols + i;
@@ -160,6 +175,7 @@ static inline bool tp_grid_cell_is_dry(const tp_grid *grid, uint32_t i, uint32_t
  * tp_grid_evaluate_row then evaluates the vertices of row j, in order from 0, and completes
  * the bounding boxes of row j - 1.  tp_grid_evaluate_vertices does both for all rows. */
 void tp_grid_evaluate_vertices(tp_grid *grid, const tp_grid_view *view);
+void tp_grid_begin(tp_grid *grid, const tp_grid_view *view);  /* without rows */
 void tp_grid_place_rows(tp_grid *grid, const tp_grid_view *view);
 void tp_grid_evaluate_row(tp_grid *grid, uint32_t j);
 

@@ -32,7 +32,7 @@ typedef struct {
 #define TP_ROUGH_STEP  64               /* log2 of the depth between entries, Q8 */
 #define TP_ROUGH_STEPS 64               /* steps up to 16 km */
 
-typedef struct {
+typedef struct tp_filtered_waves {
     tp_slope_variance at[TP_ROUGH_STEPS + 1];
     tp_slope_variance last;             /* of the row added last */
     int32_t  last_log;                  /* log2 of its depth, Q8 */

@@ -27,6 +27,7 @@ static tp_program without_makers(void)
     own.draw.light = NULL;
     own.draw.ripple_sums = NULL;
     own.draw.cube_map = NULL;
+    own.draw.grid_rows = NULL;
     return own;
 }
 
@@ -45,6 +46,9 @@ static tp_scene scene_of_tables(void)
     scene.ripple.bump = TP_FX_ONE;
     scene.quality.shading = TP_SHADING_QUICK;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
+    scene.wave[0].amplitude = TP_FX_ONE / 4;
+    scene.wave[0].length = 8 * TP_FX_ONE;
+    scene.camera.y = 20 * TP_FX_ONE;        /* above all crests */
     return scene;
 }
 
@@ -78,6 +82,13 @@ static picture draw_by(const tp_program *by, const tp_scene *scene, const tp_ass
                         tp_frame_lacks(f.frame) };
     for (int id = 0; tables && id < TP_TABLE_COUNT; id++) {
         size_t bytes;
+        if (id == TP_TABLE_rows) {
+            uint32_t count;
+            tp_frame_pack_rows(f.frame, memory, memory + 32, &count);
+            assert_in_range(count, 1, TABLE_BYTES / sizeof *memory - 32);
+            tables->table[id] = (tp_table){ memory + 32, memory };
+            continue;
+        }
         const tp_table own = tp_frame_own_table(f.frame, (tp_table_id)id, &bytes);
         assert_non_null(own.entries);
         assert_true(bytes + 128 < TABLE_BYTES);
@@ -110,7 +121,7 @@ static void baked_tables_draw_the_same_without_memory_and_makers(void **state)
     assert_int_equal(baked.crc, all.crc);
     assert_int_equal(baked.dropped, 0);
     assert_null(baked.lacks);
-    size_t entries = TP_SHINE * sizeof(tp_entry16) + 768 * sizeof(tp_entry8)
+    const size_t entries = TP_SHINE * sizeof(tp_entry16) + 768 * sizeof(tp_entry8)
                    + sizeof(tp_dome) + TP_SKY * sizeof(uint32_t);
     assert_true(baked.table_bytes + entries < all.table_bytes);
 }
@@ -126,6 +137,7 @@ static void a_number_that_is_not_the_tables_is_counted_and_named(void **state)
         { offsetof(tp_scene, light.colour), "sky_dome" },
         { offsetof(tp_scene, sky.zenith), "sky" },
         { offsetof(tp_scene, water.reflection), "fast water" },
+        { offsetof(tp_scene, camera.y), "grid_rows" },
     };
     tp_assets assets = assets_of_tables();
     tp_scene scene = scene_of_tables();
@@ -180,9 +192,6 @@ static void a_hull_on_swells_without_samples_is_counted_and_named(void **state)
     (void)state;
     scene.water.clarity = 0;
     own.water.samples = NULL;
-    scene.wave[0].amplitude = TP_FX_ONE / 4;
-    scene.wave[0].length = 8 * TP_FX_ONE;
-    scene.camera.y = 20 * TP_FX_ONE;        /* above all crests */
     assert_int_equal(draw_by(&own, &scene, &assets, NULL, NULL).dropped, 0);
     strcpy(scene.boat.mesh, "boat.obj");
     const tp_assets with_boat = { .boat = &kit.boat.mesh, .layer[0] = &kit.picture[0],

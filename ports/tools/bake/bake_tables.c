@@ -12,7 +12,7 @@ static const struct {
     const char *name, *type;
     uint32_t    numbers, size, bytes;   /* bytes of an entry: here; on 32 bits */
 } kinds[TP_TABLE_COUNT] = {
-#define BYTES(type) (#type[3] == 'e' ? #type[8] == '8' ? 1 : 2 : 4)  /* tp_entry8 */
+#define BYTES(type) (#type[3] != 'e' ? 4 : #type[8] == '8' ? 1 : 2)    /* tp_entry8 */
 #define X(name, numbers, type) { #name, #type, numbers, sizeof(type), BYTES(type) },
     TP_TABLE_LIST(X)
 #undef X
@@ -43,21 +43,45 @@ static void drop(bake_tables *t, int id)
     t->bytes[id] = 0;
 }
 
+/* Returns the table of the grid's rows in memory of the caller, who frees entries. */
+static tp_table rows_table(const tp_frame *frame, int32_t numbers[TP_ROWS_NUMBERS],
+                           size_t *bytes)
+{
+    const tp_grid *grid = frame->buffers.grid;
+    const uint32_t words = TP_FRAME_ROWS_WORDS(grid ? grid->rows : 0);
+    int32_t *entries = calloc(words, sizeof *entries);
+    uint32_t count = 0;
+
+    if (entries)
+        tp_frame_pack_rows(frame, numbers, entries, &count);
+    *bytes = count * sizeof *entries;
+    if (count > 0)
+        return (tp_table){ entries, numbers };
+    free(entries);
+    return (tp_table){ NULL, numbers };
+}
+
 /* Keeps the tables of the first moment, and drops those that a later moment changes. */
 static bool add_moment(bake_tables *to, const tp_frame *frame, uint32_t moment, bool acts)
 {
     bool kept = true;
 
     for (int id = 0; id < TP_TABLE_COUNT; id++) {
+        const bool rows = id == TP_TABLE_rows, seen = rows || id == TP_TABLE_light;
+        int32_t numbers[TP_ROWS_NUMBERS];
         size_t bytes;
-        const tp_table table = tp_frame_own_table(frame, (tp_table_id)id, &bytes);
+        const tp_table table = rows ? rows_table(frame, numbers, &bytes)
+                             : tp_frame_own_table(frame, (tp_table_id)id, &bytes);
         const tp_table *first = &to->tables.table[id];
-        if (moment == 0 && table.entries && !(acts && id == TP_TABLE_light))
+        if (moment == 0 && table.entries && !(acts && seen))
             kept &= keep(to, id, table, bytes);
-        else if (first->entries && table.entries
-                 && memcmp(first->made_of, table.made_of,
-                           kinds[id].numbers * sizeof(int32_t)) != 0)
+        else if (first->entries && (rows || table.entries)
+                 && (!table.entries
+                     || memcmp(first->made_of, table.made_of,
+                               kinds[id].numbers * sizeof(int32_t)) != 0))
             drop(to, id);
+        if (rows)
+            free((void *)(uintptr_t)table.entries);
     }
     return kept;
 }
@@ -141,7 +165,8 @@ static void write_table(FILE *out, const char *name, const bake_tables *t, int i
     fprintf(out, "\n};\nstatic const %s %s_%s[%zu] = {", kinds[id].type, name,
             kinds[id].name, entry_count(t, id));
     for (size_t i = 0; i < entry_count(t, id); i++)
-        fprintf(out, "%s0x%" PRIx32 ",", i % 8 ? "" : "\n    ", nth_entry(t, id, i));
+        fprintf(out, id == TP_TABLE_rows ? "%s%" PRId32 "," : "%s0x%" PRIx32 ",",
+                i % 8 ? "" : "\n    ", nth_entry(t, id, i));
     fprintf(out, "\n};\n");
 }
 
