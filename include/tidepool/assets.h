@@ -137,6 +137,9 @@ typedef struct tp_assets {
     /* A frame keeps no RAM for a baked table.  If its numbers are not those of the table,
      * it draws by the table all the same, and counts it as dropped.  NULL: none. */
     const tp_tables  *tables;
+    /* Tables of the waves over the scene's floor and under its wind, baked from the scene's
+     * numbers.  NULL, or a scene of other numbers: each world makes its own tables. */
+    const struct tp_coastal_water *coastal;
 } tp_assets;
 
 TP_END_C

@@ -43,8 +43,7 @@ static uint32_t count_side_nodes(uint32_t longer_side_steps, uint32_t side_pixel
 
 static block_layout make_layout(const tp_grey *map, uint32_t wave_count)
 {
-    const size_t tables =
-        round_up_to_8(sizeof(tp_coastal_water) + wave_count * sizeof(tp_coastal_table));
+    const size_t tables = TP_COASTAL_STRAIGHT_BYTES(wave_count);
     if (map == NULL)
         return (block_layout){ .bytes = tables };
 
@@ -68,6 +67,15 @@ size_t tp_coastal_bytes(const tp_coastal_config *config, const tp_deep_water *de
     if (config == NULL || deep == NULL || !is_map_usable(config->floor.map))
         return 0;
     return make_layout(config->floor.map, deep->count).bytes;
+}
+
+size_t tp_coastal_table_bytes(const tp_coastal_water *coastal)
+{
+    const size_t nodes = (size_t)coastal->map_cols * coastal->map_rows;
+
+    return TP_COASTAL_STRAIGHT_BYTES(coastal->count)
+           + round_up_to_8(nodes * sizeof(tp_coastal_floor_node))
+           + coastal->count * round_up_to_8(nodes * sizeof(tp_coastal_wave_node));
 }
 
 /* -- inputs of the tables ------------------------------------------------------------ */
@@ -358,6 +366,28 @@ tp_status tp_coastal_init(tp_coastal_water *coastal, const tp_coastal_config *co
     return status;
 }
 
+/* Finds the parts of the block that are still valid; true if all are. */
+static bool find_kept_parts(const tp_coastal_water *coastal, const tp_coastal_config *config,
+                            const tp_deep_water *deep, const tp_wave *const wave[TP_WAVES],
+                            parts_kept *kept)
+{
+    const tp_coastal_floor_inputs floor = make_floor_key(config);
+    const tp_coastal_model_inputs model = make_model_key(config);
+
+    *kept = (parts_kept){ .floor_nodes =
+                              memcmp(&floor, &coastal->floor_key, sizeof floor) == 0 };
+    bool same =
+        kept->floor_nodes && memcmp(&model, &coastal->model_key, sizeof model) == 0;
+    for (uint32_t i = 0; i < deep->count; i++) {
+        const tp_coastal_swell_inputs key = make_swell_key(wave[i], &deep->swell[i]);
+        const tp_coastal_swell_inputs *was = &tp_coastal_tables(coastal)[i].key;
+        if (kept->floor_nodes && key.length == was->length && key.heading == was->heading)
+            kept->wave_nodes |= (uint32_t)1 << i;
+        same = same && memcmp(&key, was, sizeof key) == 0;
+    }
+    return same;
+}
+
 tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config *config,
                              const tp_deep_water *deep, const tp_wave *waves,
                              uint32_t count, tp_error *err)
@@ -371,21 +401,20 @@ tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config 
         || !has_same_node_counts(coastal, config->floor.map))
         return TP_FAIL(err, TP_E_ARG, 0, 0, 0);
 
-    const tp_coastal_floor_inputs floor = make_floor_key(config);
-    const tp_coastal_model_inputs model = make_model_key(config);
-    parts_kept kept = { .floor_nodes =
-                            memcmp(&floor, &coastal->floor_key, sizeof floor) == 0 };
-    bool same =
-        kept.floor_nodes && memcmp(&model, &coastal->model_key, sizeof model) == 0;
-
-    for (uint32_t i = 0; i < deep->count; i++) {
-        const tp_coastal_swell_inputs key = make_swell_key(wave[i], &deep->swell[i]);
-        const tp_coastal_swell_inputs *was = &tp_coastal_tables(coastal)[i].key;
-        if (kept.floor_nodes && key.length == was->length && key.heading == was->heading)
-            kept.wave_nodes |= (uint32_t)1 << i;
-        same = same && memcmp(&key, was, sizeof key) == 0;
-    }
-    if (!same)
+    parts_kept kept;
+    if (!find_kept_parts(coastal, config, deep, wave, &kept))
         build_coastal(coastal, config, deep, wave, kept);
     return TP_OK;
+}
+
+bool tp_coastal_is_current(const tp_coastal_water *coastal, const tp_coastal_config *config,
+                           const tp_deep_water *deep, const tp_wave *waves, uint32_t count)
+{
+    const tp_wave *wave[TP_WAVES];
+    parts_kept kept;
+
+    return check_given(coastal, config, deep, waves, count, wave, NULL) == TP_OK
+           && coastal->count == deep->count
+           && has_same_node_counts(coastal, config->floor.map)
+           && find_kept_parts(coastal, config, deep, wave, &kept);
 }

@@ -214,6 +214,14 @@ tp_status tp_coastal_refresh(tp_coastal_water *coastal, const tp_coastal_config 
                              const tp_deep_water *deep, const tp_wave *waves,
                              uint32_t count, tp_error *err);
 
+/* Returns the bytes of the tables in a block, without the solver's memory behind them. */
+size_t tp_coastal_table_bytes(const tp_coastal_water *coastal);
+
+/* True if the block holds the tables that tp_coastal_init makes of these arguments with the
+ * same map.  A block of another processor's layout holds other numbers. */
+bool tp_coastal_is_current(const tp_coastal_water *coastal, const tp_coastal_config *config,
+                           const tp_deep_water *deep, const tp_wave *waves, uint32_t count);
+
 typedef struct {
     tp_vec3 position;       /* displaced point, m; may overhang */
     tp_fx   depth;          /* depth of still water at the rest point, m; <= 0: dry,

@@ -258,6 +258,15 @@ const char *tp_modules_find_invalid(const tp_program *program, const tp_world *w
 /* Returns the coastal water of a world, or NULL. */
 const tp_coastal_water *tp_world_coastal(const tp_world *world);
 
+/* State of coastal water whose tables are baked: where they lie.  The pointer stays valid in
+ * copies of the world, in this program. */
+typedef struct {
+    const tp_coastal_water *tables;
+} tp_coastal_baked;
+
+/* Returns the tables of a state of coastal water: its own, or the baked ones. */
+const tp_coastal_water *tp_coastal_state_tables(const void *state);
+
 #define TP_COASTAL_ID TP_MODULE_ID('o', 'c', 'e', 'a')
 
 /* Returns the water surface of this tick, from the wave models of the program; valid

@@ -47,7 +47,16 @@ static tp_status world_layout_measure(const tp_program *program, tp_world_layout
 
 const tp_coastal_water *tp_world_coastal(const tp_world *world)
 {
-    return tp_world_module_state(world, TP_COASTAL_ID);
+    return tp_coastal_state_tables(tp_world_module_state(world, TP_COASTAL_ID));
+}
+
+const tp_coastal_water *tp_coastal_state_tables(const void *state)
+{
+    _Static_assert(sizeof(tp_coastal_baked) <= 8 && sizeof(tp_coastal_water) > 8,
+                   "lengths tell both states apart");
+    const tp_coastal_baked *baked = state;
+
+    return state && tp_module_state_bytes(state) == 8 ? baked->tables : state;
 }
 
 tp_surface tp_world_surface(const tp_program *program, const tp_world *world)

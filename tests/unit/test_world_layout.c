@@ -271,6 +271,53 @@ static void pokes_come_as_often_as_the_scene_says(void **state)
     free(world);
 }
 
+/* Tables in a block of exactly their bytes, which the caller frees. */
+static tp_coastal_water *copy_tables(const tp_world *world)
+{
+    const tp_coastal_water *coastal = tp_world_coastal(world);
+    const size_t bytes = tp_coastal_table_bytes(coastal);
+    tp_coastal_water *copy = malloc(bytes);
+
+    memcpy(copy, coastal, bytes);
+    return copy;
+}
+
+/* A world with baked tables is smaller by its own, and runs the same; other numbers need a
+ * world with tables of its own. */
+static void baked_tables_of_coastal_water_take_no_memory(void **state)
+{
+    (void)state;
+    for (uint32_t parts = 1; parts < 32; parts++) {
+        tp_scene scene = scene_with(&chance, parts);
+        tp_assets assets = assets_with(&chance, &scene, parts & 1 && parts & 2, parts % 3);
+        const size_t bytes = tp_world_bytes(&tp_program_all, &scene, &assets);
+        if (!(parts & 3))
+            continue;
+        tp_world *own = scene_world(&scene, &assets);
+        assets.coastal = copy_tables(own);
+        const size_t tables = tp_module_state_bytes(tp_world_coastal(own));
+        assert_int_equal(tp_world_bytes(&tp_program_all, &scene, &assets),
+                         bytes - tables + sizeof(uint64_t));
+        tp_world *baked = scene_world(&scene, &assets);
+        assert_ptr_equal(tp_world_coastal(baked), assets.coastal);
+        for (int i = 0; i < 40; i++) {
+            tp_world_step(&tp_program_all, own, &scene, NULL);
+            tp_world_step(&tp_program_all, baked, &scene, NULL);
+            const tp_fx x = chance_fx(&chance, -90, 90), z = chance_fx(&chance, -90, 90);
+            const tp_water a = tp_world_sample(&tp_program_all, own, x, z);
+            const tp_water b = tp_world_sample(&tp_program_all, baked, x, z);
+            assert_memory_equal(&a, &b, sizeof a);
+        }
+        assert_true(tp_world_apply(&tp_program_all, baked, &scene, &assets));
+        scene.wave[0].length += TP_FX_ONE;
+        assert_int_equal(tp_world_bytes(&tp_program_all, &scene, &assets), bytes);
+        assert_false(tp_world_apply(&tp_program_all, baked, &scene, &assets));
+        free(own);
+        free(baked);
+        free((void *)(uintptr_t)assets.coastal);
+    }
+}
+
 static void the_surface_names_every_part(void **state)
 {
     (void)state;
@@ -319,6 +366,7 @@ int main(void)
         cmocka_unit_test(a_bad_pool_gives_its_status),
         cmocka_unit_test(a_bad_picture_of_the_floor_is_refused),
         cmocka_unit_test(pokes_come_as_often_as_the_scene_says),
+        cmocka_unit_test(baked_tables_of_coastal_water_take_no_memory),
         cmocka_unit_test(the_surface_names_every_part),
     };
     return cmocka_run_group_tests_name("world/layout", tests, NULL, NULL);

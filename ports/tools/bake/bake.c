@@ -14,6 +14,7 @@
 #include "bake_assets.h"
 #include "bake_program.h"
 #include "bake_world.h"
+#include "world/module.h"
 
 #define IDENTIFIER_BYTES 48
 
@@ -84,6 +85,9 @@ static void put_contents(const bake *b, const tp_assets *names)
         put_bytes(b->out, &sum, bake_mesh_bytes(names->boat), "boat, without pictures");
     if (names->tables)
         put_bytes(b->out, &sum, bake_tables_bytes(&b->program->tables), "tables of frames");
+    if (b->coastal_words)
+        put_bytes(b->out, &sum, b->coastal_words * sizeof *b->coastal,
+                  "waves over the floor");
     fprintf(b->out, " * %9zu  together", sum);
     if (b->program) {
         fputc('\n', b->out);
@@ -143,6 +147,9 @@ static void put_assets(const bake *b, const tp_assets *names)
                     bake_greys[i].part);
     if (names->tables)
         fprintf(b->out, "    .tables = &%s_tables,\n", b->name);
+    if (b->coastal_words)
+        fprintf(b->out, "    .coastal = (const struct tp_coastal_water *)%s_coastal,\n",
+                b->name);
     fprintf(b->out, "};\n");
 }
 
@@ -157,6 +164,8 @@ static int put_all(const bake *b, const options *o, const loaded_scene *s)
             bake_grey(b, bake_greys[i].part, bake_nth_grey(names, i));
     if (names->boat)
         bake_mesh(b, "boat", names->boat);
+    if (b->coastal_words)
+        bake_coastal(b);
     bake_scene(b, b->program ? &b->program->scene : &s->file.scene);
     if (names->tables)
         bake_tables_write(b->out, b->name, &b->program->tables);
@@ -168,6 +177,26 @@ static int put_all(const bake *b, const options *o, const loaded_scene *s)
     bake_put_program(b->program, b->out, b->name, copied);
     bake_put_world_init(b->program, names, b->out, b->name);
     return code;
+}
+
+/* Makes a world of the program's scene, whose tables of coastal water are baked: the scene of
+ * a program without --with keeps its numbers.  Returns NULL if there are none, or no memory;
+ * the caller frees the world. */
+static tp_world *find_coastal(bake *b, const options *o, const tp_assets *assets)
+{
+    const tp_scene *scene = b->program ? &b->program->scene : NULL;
+    const size_t bytes = scene && !o->with
+                             ? tp_world_bytes(&tp_program_all, scene, assets) : 0;
+    tp_world *world = bytes ? malloc(bytes) : NULL;
+
+    if (!world
+        || tp_world_init(&tp_program_all, world, bytes, scene, assets, NULL) != TP_OK)
+        return world;
+    b->coastal = (const uint64_t *)(const void *)tp_world_coastal(world);
+    if (b->coastal)
+        b->coastal_words =
+            tp_coastal_table_bytes(tp_world_coastal(world)) / sizeof *b->coastal;
+    return world;
 }
 
 /* -- the command --------------------------------------------------------------------- */
@@ -207,6 +236,7 @@ static int run(loaded_scene *s, const options *o)
     make_identifier(o->name ? o->name : s->file.name, name);
     const tp_assets all = s->assets.names;
     bake_program program;
+    tp_world *world = NULL;
     code = bake_prepare(&s->assets.names, &s->file.scene, o, memory, made);
     if (!code && bake_has_program(o)) {
         code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names,
@@ -215,10 +245,13 @@ static int run(loaded_scene *s, const options *o)
     }
     if (!code)
         code = bake_list_pictures(&b, &s->assets.names);
-    if (!code)
+    if (!code) {
+        world = find_coastal(&b, o, &s->assets.names);
         code = write_file(&b, o, s);
     if (b.program)
         bake_close_program(&program);
+    }
+    free(world);
     free(b.pictures);
     for (int i = 0; i < TP_BAKED_LAYERS; i++)
         free(memory[i]);

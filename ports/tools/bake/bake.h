@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene and its files as C text.  Numbers are written as numbers, not as bytes: one file
- * serves every byte order.  Every name begins with `name`: several scenes fit in one
+ * serves every byte order; tables of coastal water are words of a layout that some processors
+ * do not have, which make their own.  Every name begins with `name`: several scenes fit in one
  * program. */
 #ifndef TP_TOOLS_BAKE_BAKE_H
 #define TP_TOOLS_BAKE_BAKE_H
@@ -22,6 +23,8 @@ typedef struct {
     bake_picture *pictures;
     uint32_t      n_pictures;
     const struct bake_program *program;     /* NULL: no program list is written */
+    const uint64_t *coastal;            /* tables of coastal water in this machine's layout, ... */
+    size_t        coastal_words;        /* ... as words; 0: none */
 } bake;
 
 /* Returns the entry of the list with the same texels as `texture`, or NULL. */
@@ -34,6 +37,7 @@ void bake_scene(const bake *b, const tp_scene *scene);
 void bake_texture(const bake *b, const bake_picture *picture);
 void bake_grey(const bake *b, const char *part, const tp_grey *grey);
 void bake_mesh(const bake *b, const char *part, const tp_mesh *mesh);
+void bake_coastal(const bake *b);
 
 /* Bytes on a 32-bit machine, of texels, vertices and faces alone. */
 size_t bake_texture_bytes(const tp_texture *texture);

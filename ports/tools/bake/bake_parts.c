@@ -159,6 +159,16 @@ void bake_grey(const bake *b, const char *part, const tp_grey *grey)
             ", %s_%s_samples };\n", b->name, part, grey->cols, grey->rows, b->name, part);
 }
 
+void bake_coastal(const bake *b)
+{
+    fprintf(b->out, "\n/* Waves over the floor: %zu bytes. */\n",
+            b->coastal_words * sizeof *b->coastal);
+    fprintf(b->out, "static const uint64_t %s_coastal[%zu] = {", b->name, b->coastal_words);
+    for (size_t i = 0; i < b->coastal_words; i++)
+        fprintf(b->out, "%s0x%" PRIx64 ",", i % 5 ? "" : "\n    ", b->coastal[i]);
+    fprintf(b->out, "\n};\n");
+}
+
 /* -- meshes -------------------------------------------------------------------------- */
 
 size_t bake_mesh_bytes(const tp_mesh *mesh)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The module of coastal water: swells that react to a floor or a wind.  Its state is the
- * tables of waves/coastal_water.h, made from the world's deep water.  The tables follow
- * from the scene; no tick changes them. */
+ * tables of waves/coastal_water.h, made from the world's deep water, or the place of baked
+ * tables.  The tables follow from the scene; no tick changes them. */
 #include "base/base.h"
 #include "view/wave_models.h"
 #include "waves/coastal_tables.h"
@@ -37,11 +37,20 @@ bool tp_coastal_enabled(const tp_module_conditions *conditions)
 static size_t bytes(const tp_module_conditions *conditions)
 {
     const tp_scene *scene = conditions->scene;
-    const tp_coastal_config config = make_coastal_config(scene, conditions->assets);
+    const tp_assets *assets = conditions->assets;
+    const tp_coastal_config config = make_coastal_config(scene, assets);
     tp_deep_water deep;
 
     tp_deep_water_init(&deep, scene->wave, TP_WAVES, scene->water.gravity);
+    if (assets && assets->coastal
+        && tp_coastal_is_current(assets->coastal, &config, &deep, scene->wave, TP_WAVES))
+        return sizeof(tp_coastal_baked);
     return tp_coastal_bytes(&config, &deep);
+}
+
+static bool is_baked(const void *mine)
+{
+    return tp_coastal_state_tables(mine) != mine;
 }
 
 static tp_status check(const tp_module_conditions *conditions, tp_error *err)
@@ -55,18 +64,23 @@ static tp_status init(void *mine, tp_world *world, const tp_module_conditions *c
 {
     const tp_coastal_config config =
         make_coastal_config(conditions->scene, conditions->assets);
+    if (is_baked(mine)) {
+        *(tp_coastal_baked *)mine = (tp_coastal_baked){ conditions->assets->coastal };
+        return TP_OK;
+    }
     return tp_coastal_init(mine, &config, &world->deep, conditions->scene->wave, TP_WAVES,
                            err);
 }
 
-/* Recomputes the tables whose inputs have changed. */
+/* Recomputes the tables whose inputs have changed; baked tables fit the scene. */
 static bool refresh(void *mine, tp_world *world, const tp_module_conditions *conditions)
 {
     const tp_coastal_config config =
         make_coastal_config(conditions->scene, conditions->assets);
-    return tp_coastal_refresh(mine, &config, &world->deep, conditions->scene->wave,
-                              TP_WAVES, NULL)
-           == TP_OK;
+    return is_baked(mine)
+           || tp_coastal_refresh(mine, &config, &world->deep, conditions->scene->wave,
+                                 TP_WAVES, NULL)
+                  == TP_OK;
 }
 
 static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
@@ -77,7 +91,7 @@ static bool is_valid(const void *mine, const void *fresh, const tp_world *world)
 
 static void add_surface(const void *mine, tp_surface *to)
 {
-    to->coastal = to->by->coastal && to->by->swells ? mine : NULL;
+    to->coastal = to->by->coastal && to->by->swells ? tp_coastal_state_tables(mine) : NULL;
 }
 
 const tp_module tp_coastal_module = {
