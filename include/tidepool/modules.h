@@ -82,7 +82,11 @@ TP_FORMAT_LIST(X)
     X(samples)      /* swells above a position: for things in the water, eyes near it */ \
     X(points)       /* swells of level water: for projected, flat and walk */ \
     /* sources of foam: over a floor or in a wind, pools' walls, hulls; foam.slices > 1 */ \
-    X(foam_coast) X(foam_walls) X(foam_hull) X(foam_slices)
+    X(foam_coast) X(foam_walls) X(foam_hull) X(foam_slices) \
+    X(foam_splashes) X(spray_splashes)      /* of falling drops */ \
+    /* pools by bits of a cell, with walls inside or a sponge; splashes of drops and drives */ \
+    X(pool_8) X(pool_8_walls) X(pool_8_sponge) X(pool_16) X(pool_16_walls) \
+    X(pool_16_sponge) X(pool_32) X(pool_splashes)
 
 #define X(name) extern const struct tp_water_##name tp_water_##name;
 TP_WATER_LIST(X)
@@ -126,6 +130,9 @@ extern const struct tp_water_swells tp_water_baked_swells;
     X(fast_triangles)   /* the water's, for quality.triangles */ \
     X(fast_solids)      /* the boat's, for quality.solids */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
+    X(exact_waves)      /* exact vertices of any water, */ \
+    X(exact_corners)    /* the same of cells that are clipped, */ \
+    X(level_waves)      /* of water without swells */ \
     X(fast_waves)       /* vertices in 32 bits, for quality.waves */ \
     X(packed_rows)      /* means of rgb565 pixels, for quality.blending */ \
     X(packed_waves)     /* vertices by packed sines, for quality.normals */ \

@@ -44,10 +44,10 @@ tp_surface tp_frame_surface_with_all_pools(const tp_frame *frame)
 {
     tp_surface surface = frame->surface;
 
-    if (surface.by->pools) {
+    if (surface.pool_kind)
         surface.pool = tp_world_pool(frame->world);
+    if (surface.field_kind)
         surface.field = tp_world_field(frame->world);
-    }
     return surface;
 }
 

@@ -24,18 +24,25 @@ static void tighten_clipped_boxes(tp_frame *frame, uint32_t j)
 }
 
 /* Chooses the code of the vertices.  Fast normals and sines draw vertices in 32 bits, as
- * quality.waves = fast does. */
-static void choose_vertices(const tp_frame *frame, tp_grid *grid)
+ * quality.waves = fast does.  Counts exact vertices that the program lacks; the corners of
+ * clipped cells only if there may be such cells. */
+static void choose_vertices(tp_frame *frame, tp_grid *grid)
 {
     const tp_scene_quality *rungs = &frame->scene->quality;
     const tp_draws *draw = &frame->program->draw;
 
     grid->plain_normals = rungs->normals == TP_RUNG_FAST;
-    grid->fast = rungs->waves == TP_RUNG_FAST ? draw->fast_waves : NULL;
+    grid->waves = rungs->waves == TP_RUNG_FAST ? draw->fast_waves : NULL;
     if (rungs->sine == TP_RUNG_FAST && draw->table_waves)
-        grid->fast = &draw->table_waves->by;
+        grid->waves = &draw->table_waves->by;
     else if (grid->plain_normals && draw->packed_waves)
-        grid->fast = &draw->packed_waves->by;
+        grid->waves = &draw->packed_waves->by;
+    if (!grid->waves && draw->level_waves && !tp_surface_has_swells(&frame->surface))
+        grid->waves = &draw->level_waves->by;
+    grid->exact_waves = draw->exact_waves;
+    grid->exact_corners = draw->exact_corners;
+    frame->stats.dropped += !grid->waves && !draw->exact_waves;
+    frame->stats.dropped += !grid->waves && draw->cells && !draw->exact_corners;
 }
 
 /* Chooses the weights of the swells; the slope variance is made anew if they change.  Water

@@ -167,21 +167,33 @@ tp_pool_state tp_pool_stats(const tp_pool *pool)
     return state;
 }
 
-void tp_pool_step(tp_pool *pool)
+void tp_pool_step_kind(tp_pool *pool, const tp_pool_kind *kind, tp_pool_drive *drive)
 {
     TP_ASSERT(pool->cells <= TP_CELLS_32 && pool->damping >= 4 && pool->damping <= 10);
     const bool due = tp_pool_is_due(pool);
 
-    if (due && pool->drive_min > 0)
-        tp_pool_splash_if_quiet(pool);
-    if (due && !pool->at_rest) {
-        switch (pool->cells) {
-        case TP_CELLS_8:  tp_pool_step_8(pool);  break;
-        case TP_CELLS_16: tp_pool_step_16(pool); break;
-        default:          tp_pool_step_32(pool); break;
-        }
-    }
+    if (due && pool->drive_min > 0 && drive)
+        drive(pool);
+    if (due && !pool->at_rest)
+        kind->step(pool);
     pool->tick++;
+}
+
+const tp_pool_kind *tp_pool_find_kind(const tp_pool *pool)
+{
+    static const tp_pool_kind *const all[] = {
+#define X(name) &tp_pool_##name,
+        TP_POOL_KINDS(X)
+#undef X
+    };
+
+    return all[tp_pool_kind_number((tp_cells)pool->cells, pool->walls != 0,
+                                   pool->sponge != 0)];
+}
+
+void tp_pool_step(tp_pool *pool)
+{
+    tp_pool_step_kind(pool, tp_pool_find_kind(pool), tp_pool_splash_if_quiet);
 }
 
 /* -- stored cells -------------------------------------------------------------------- */

@@ -91,12 +91,14 @@ TP_ALWAYS_INLINE int32_t damp_and_truncate(int32_t t, const gear *g)
 #define CELL    int8_t
 #define PAIR    tp_pool_pair_8
 #define NAME(x) x##_8
+#define KIND(x) tp_pool_8_##x
 #define FULL    TP_FULL_8
 #include "pool/gears.inc"
 
 #define CELL    int16_t
 #define PAIR    tp_pool_pair_16
 #define NAME(x) x##_16
+#define KIND(x) tp_pool_16_##x
 #define FULL    TP_FULL_16
 #include "pool/gears.inc"
 
@@ -284,7 +286,7 @@ static int32_t step_rows(const flux_cells *s)
     return moved;
 }
 
-void tp_pool_step_32(tp_pool *pool)
+static void step_32(tp_pool *pool)
 {
     const size_t count = tp_pool_count(pool);
     int32_t *const h = tp_pool_pointer(pool, sizeof *pool);
@@ -302,3 +304,7 @@ void tp_pool_step_32(tp_pool *pool)
     pool->at_rest = moved == 0 && pool->no_flux != 0;
     pool->no_flux = moved == 0;
 }
+
+const tp_pool_kind tp_pool_32 = {
+    step_32, tp_pool_gather_now_32, tp_pool_gather_back_32, tp_pool_gather_walled,
+};

@@ -136,6 +136,63 @@ void tp_pool_step(tp_pool *pool);
  * too.  Walls mirror. */
 tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx lag);
 
+/* -- kinds of pools, so that a program links no others ------------------------------- */
+
+/* The 4 x 4 cells around a point, without the four corner cells: their columns and rows. */
+typedef struct {
+    uint32_t col[4], row[4], own_col, own_row;  /* own: the cell of the point */
+    uint32_t s, t;              /* fraction from col[1], row[1] on, 1/65536 */
+    tp_fx    lag;               /* fraction of a step into the past */
+} tp_pool_patch;
+
+/* The fine heights of the cells of a patch, [row][column]. */
+typedef struct { int32_t h[4][4]; } tp_pool_heights;
+
+typedef void tp_pool_gatherer(const tp_pool *restrict pool, const tp_pool_patch *restrict p,
+                              tp_pool_heights *restrict to);
+typedef void tp_pool_drive(tp_pool *pool);
+
+/* A kind of pool, by cells and edges: one step of all cells; the heights of a patch of a
+ * pool without walls, of the last step and p->lag earlier; of a pool with walls. */
+typedef struct {
+    void (*step)(tp_pool *pool);
+    tp_pool_gatherer *now, *back, *walled;
+} tp_pool_kind;
+
+#define TP_POOL_KINDS(X) \
+    X(8) X(8_walls) X(8_sponge) X(16) X(16_walls) X(16_sponge) X(32)
+
+#define X(name) extern const tp_pool_kind tp_pool_##name;
+TP_POOL_KINDS(X)
+#undef X
+
+enum {
+#define X(name) TP_POOL_KIND_##name,
+    TP_POOL_KINDS(X)
+#undef X
+};
+
+/* Returns a kind's place in the list.  A sponge has walls too. */
+static inline uint32_t tp_pool_kind_number(tp_cells cells, bool walls, bool sponge)
+{
+    const uint32_t open = cells == TP_CELLS_16 ? TP_POOL_KIND_16 : TP_POOL_KIND_8;
+
+    return cells == TP_CELLS_32 ? (uint32_t)TP_POOL_KIND_32
+                                : open + (sponge ? 2 : walls ? 1 : 0);
+}
+
+const tp_pool_kind *tp_pool_find_kind(const tp_pool *pool);
+
+/* tp_pool_step and tp_pool_height_slope, by the pool's kind. */
+void tp_pool_step_kind(tp_pool *pool, const tp_pool_kind *kind, tp_pool_drive *drive);
+tp_height_slope tp_pool_sample(const tp_pool *pool, const tp_pool_kind *kind, tp_fx x,
+                               tp_fx z, tp_fx lag);
+
+/* Injects a splash before a step if the water is too quiet [C16]. */
+tp_pool_drive tp_pool_splash_if_quiet;
+
+/* -- splashes, cells ----------------------------------------------------------------- */
+
 /* Makes a splash of zero sum [C11] [D5]: `height` m in the middle, width sigma m (at least
  * 1.5 cells).  A part inside walls or outside of the field is left out, and the rest is
  * balanced to sum 0 again.  Returns false if the middle lies outside or in a wall. */
@@ -286,12 +343,10 @@ static inline int32_t tp_pool_net_inflow(const tp_pool *pool, uint32_t col, uint
  * outside. */
 bool tp_pool_locate(const tp_pool *pool, tp_fx x, tp_fx z, uint64_t *u, uint64_t *w);
 
-/* One step of all cells, for each kind of cell. */
-void tp_pool_step_8(tp_pool *pool);
-void tp_pool_step_16(tp_pool *pool);
-void tp_pool_step_32(tp_pool *pool);
+tp_pool_gatherer tp_pool_gather_now_8, tp_pool_gather_back_8;
+tp_pool_gatherer tp_pool_gather_now_16, tp_pool_gather_back_16;
+tp_pool_gatherer tp_pool_gather_now_32, tp_pool_gather_back_32;
+tp_pool_gatherer tp_pool_gather_walled;
 
-/* Injects a splash before a step if the water is too quiet [C16]. */
-void tp_pool_splash_if_quiet(tp_pool *pool);
 
 #endif

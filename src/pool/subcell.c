@@ -125,20 +125,10 @@ static int32_t fine_height_extended_into_wall(const tp_pool *pool, uint32_t col,
     return open != 0 ? (int32_t)(sum / open) : fallback;
 }
 
-/* The 4 x 4 cells around a point, without the four corner cells: their columns and rows. */
-typedef struct {
-    uint32_t col[4], row[4];
-    uint32_t s, t;              /* fraction from col[1], row[1] on, 1/65536 */
-    tp_fx    lag;               /* fraction of a step into the past */
-} patch;
-
-/* The fine heights of the cells of a patch, [row][column]. */
-typedef struct { int32_t h[4][4]; } heights;
-
 /* Collects the heights of row i of the 4 x 4 patch; `no_corners` leaves out the first and
  * the last column, for rows 0 and 3.  `interpolated` takes the heights p->lag earlier.
  * i, no_corners, cells and interpolated are literals. */
-TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const patch *p, heights *to,
+TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const tp_pool_patch *p, tp_pool_heights *to,
                                        int i, int no_corners, tp_cells cells,
                                        int interpolated)
 {
@@ -158,8 +148,9 @@ TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const patch *p, heig
 }
 
 #define X(name, cells, interpolates)                                                     \
-    static void name(const tp_pool *restrict pool, const patch *restrict p,              \
-                     heights *restrict to)                                               \
+    void tp_pool_gather_##name(const tp_pool *restrict pool,                             \
+                               const tp_pool_patch *restrict p,                          \
+                               tp_pool_heights *restrict to)                             \
     {                                                                                    \
         gather_patch_row(pool, p, to, 0, 1, cells, interpolates);                        \
         gather_patch_row(pool, p, to, 1, 0, cells, interpolates);                        \
@@ -170,12 +161,11 @@ X(now_8, TP_CELLS_8, 0) X(now_16, TP_CELLS_16, 0) X(now_32, TP_CELLS_32, 0)
 X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
 #undef X
 
-    /* Collects the heights of a pool with walls: one small function for all kinds of
-     * cell. */
-    static void gather_walled_patch(const tp_pool *pool, const patch *p, heights *to,
-                                    uint32_t col, uint32_t row)
+/* One small function for all cells. */
+void tp_pool_gather_walled(const tp_pool *restrict pool, const tp_pool_patch *restrict p,
+                           tp_pool_heights *restrict to)
 {
-    const int32_t own = fine_height_any(pool, col, row, p->lag);
+    const int32_t own = fine_height_any(pool, p->own_col, p->own_row, p->lag);
 
     for (int n = 0; n < 16; n++) {
         const int i = n >> 2, j = n & 3;
@@ -183,24 +173,6 @@ X(back_8, TP_CELLS_8, 1) X(back_16, TP_CELLS_16, 1) X(back_32, TP_CELLS_32, 1)
             to->h[i][j] =
                 fine_height_extended_into_wall(pool, p->col[j], p->row[i], p->lag, own);
     }
-}
-
-static void gather_open_patch(const tp_pool *pool, const patch *p, heights *to)
-{
-    const bool interpolates = p->lag != 0;
-
-    if (pool->cells == TP_CELLS_8 && interpolates)
-        back_8(pool, p, to);
-    else if (pool->cells == TP_CELLS_8)
-        now_8(pool, p, to);
-    else if (pool->cells == TP_CELLS_16 && interpolates)
-        back_16(pool, p, to);
-    else if (pool->cells == TP_CELLS_16)
-        now_16(pool, p, to);
-    else if (interpolates)
-        back_32(pool, p, to);
-    else
-        now_32(pool, p, to);
 }
 
 /* Finds the four columns (or rows) around u.  Returns the position of u from the second to
@@ -235,8 +207,8 @@ static tp_fx scaled(int32_t x, int32_t factor, int32_t shift)
     return (tp_fx)(((int64_t)x * factor + ((int64_t)1 << (shift - 1))) >> shift);
 }
 
-static tp_height_slope interpolate_height_slope(const tp_pool *pool, const patch *p,
-                                                const heights *of)
+static tp_height_slope interpolate_height_slope(const tp_pool *pool, const tp_pool_patch *p,
+                                                const tp_pool_heights *of)
 {
     int32_t across[4], down[4];     /* across: columns at the point's row; down:
                                      * rows at its column */
@@ -255,29 +227,33 @@ static tp_height_slope interpolate_height_slope(const tp_pool *pool, const patch
     };
 }
 
-tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx lag)
+tp_height_slope tp_pool_sample(const tp_pool *pool, const tp_pool_kind *kind, tp_fx x,
+                               tp_fx z, tp_fx lag)
 {
     TP_ASSERT(lag >= 0 && lag <= TP_FX_ONE);
     const bool tiled = pool->edges == TP_EDGES_TILE;
     uint64_t u, w;
-    heights of;
-    patch p;
+    tp_pool_heights of;
+    tp_pool_patch p;
 
     if (pool->at_rest && pool->cells != TP_CELLS_32)
         return (tp_height_slope){ 0 };
     if (!tp_pool_locate(pool, x, z, &u, &w))
         return (tp_height_slope){ 0 };
-    const uint32_t col = (uint32_t)(u >> 32), row = (uint32_t)(w >> 32);
-    if (tp_pool_is_wall(pool, row * pool->cols + col))
+    p.own_col = (uint32_t)(u >> 32);
+    p.own_row = (uint32_t)(w >> 32);
+    if (tp_pool_is_wall(pool, p.own_row * pool->cols + p.own_col))
         return (tp_height_slope){ 0 };
     p.lag = tp_pool_step_lag(pool, lag);
     p.s = find_neighbour_indices(u, pool->cols, tiled, p.col);
     p.t = find_neighbour_indices(w, pool->rows, tiled, p.row);
-    if (pool->walls != 0)
-        gather_walled_patch(pool, &p, &of, col, row);
-    else
-        gather_open_patch(pool, &p, &of);
+    (pool->walls != 0 ? kind->walled : p.lag != 0 ? kind->back : kind->now)(pool, &p, &of);
     return interpolate_height_slope(pool, &p, &of);
+}
+
+tp_height_slope tp_pool_height_slope(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx lag)
+{
+    return tp_pool_sample(pool, tp_pool_find_kind(pool), x, z, lag);
 }
 
 /* -- the table of slopes ------------------------------------------------------------- */

@@ -233,8 +233,8 @@ tp_fan_law tp_fan_tank_law(const tp_fan_view *view, uint32_t vertices);
 tp_fan_row tp_fan_tank_row(const tp_fan_law *law, const tp_fan_view *view, uint32_t n);
 tp_fx tp_fan_tank_end(const tp_fan_law *law, const tp_fan_view *view);
 
-/* fan_vertices.c: evaluates vertices first to end - 1 of row j: into vertex[first] and on;
- * into to[0] and on before projection, with slopes of 0. */
+/* grid.c: evaluates vertices first to end - 1 of row j: into vertex[first] and on; into to[0]
+ * and on before projection, with slopes of 0. */
 void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                          tp_grid_vertex *vertex);
 void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,

@@ -55,12 +55,10 @@ static void set_numbers(row_wave *to)
     to->bend_zz = tp_fx_mul(w->bend_zz, share);
 }
 
-/* Lists the waves that a row keeps. */
-static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to)
+/* Begins a row that keeps no waves yet. */
+static void begin_row(const tp_grid *grid, const tp_fan_row *row, row_waves *to)
 {
     const tp_surface *surface = grid->surface;
-    const tp_deep_water *deep = surface->deep;
-    const tp_fx least = tp_fan_row_least(grid, row);
 
     to->fan = grid->fan;
     to->row = row;
@@ -70,6 +68,16 @@ static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to
                                     : surface->by->pools->relief;
     to->detail = to->relief ? to->relief->weight(grid->fan, row) : 0;
     to->count = 0;
+}
+
+/* Lists the waves that a row keeps. */
+static void list_waves(const tp_grid *grid, const tp_fan_row *row, row_waves *to)
+{
+    const tp_surface *surface = grid->surface;
+    const tp_deep_water *deep = surface->deep;
+    const tp_fx least = tp_fan_row_least(grid, row);
+
+    begin_row(grid, row, to);
     for (uint32_t i = 0; i < deep->count && surface->by->swells; i++) {
         const tp_swell *w = &deep->swell[i];
         row_wave *at = &to->wave[to->count];
@@ -189,14 +197,15 @@ static tp_surface_point still_point(const row_waves *waves, uint32_t i, tp_fx x,
     return tp_swell_sum_point(&sum, x, z, TP_FX_ONE);
 }
 
-static tp_surface_point sample(const row_waves *waves, uint32_t i)
+/* Returns a point of a row, without swells if it keeps none. */
+TP_ALWAYS_INLINE tp_surface_point sample(const row_waves *waves, uint32_t i, bool level)
 {
     const tp_fan_row *row = waves->row;
     const tp_surface *surface = waves->surface;
     const tp_fx x = tp_fan_x(waves->fan, row, i), z = tp_fan_z(waves->fan, row, i);
     tp_surface_point at = { .position = { x, 0, z } };
 
-    if (waves->count > 0)
+    if (!level && waves->count > 0)
         at = surface->coastal ? surface->by->coastal->wind_point(waves, i, x, z)
                               : still_point(waves, i, x, z);
     if (waves->detail != 0) {
@@ -209,6 +218,16 @@ static tp_surface_point sample(const row_waves *waves, uint32_t i)
     return at;
 }
 
+TP_NEVER_INLINE tp_surface_point sample_swells(const row_waves *waves, uint32_t i)
+{
+    return sample(waves, i, false);
+}
+
+TP_NEVER_INLINE tp_surface_point sample_level(const row_waves *waves, uint32_t i)
+{
+    return sample(waves, i, true);
+}
+
 /* -- vertices ------------------------------------------------------------------------ */
 
 static int16_t packed_slope(tp_fx slope)
@@ -216,16 +235,17 @@ static int16_t packed_slope(tp_fx slope)
     return (int16_t)tp_clamp((slope + 8) >> 4, INT16_MIN, INT16_MAX);
 }
 
-/* The lists of waves take much stack: not that of the fast functions too. */
-TP_NEVER_INLINE void evaluate_exact_row(const tp_grid *grid, uint32_t j, uint32_t first,
-                                        uint32_t end, tp_grid_vertex *vertex)
+/* Evaluate vertices of a row as tp_draw_fast_waves; `level`, a literal: there are no
+ * swells. */
+TP_ALWAYS_INLINE void evaluate_vertices(const tp_grid *grid, const row_waves *waves,
+                                        uint32_t first, uint32_t end, bool level,
+                                        tp_grid_vertex *vertex)
 {
     const tp_projection *projection = grid->projection;
-    row_waves waves;
 
-    list_waves(grid, &grid->fan->row[j], &waves);
     for (uint32_t i = first; i < end; i++) {
-        const tp_surface_point at = sample(&waves, i);
+        const tp_surface_point at =
+            level ? sample_level(waves, i) : sample_swells(waves, i);
         tp_grid_vertex *to = &vertex[i];
         tp_view_vertex c;
         tp_projection_view_vertex(projection, at.position, &c);
@@ -238,33 +258,55 @@ TP_NEVER_INLINE void evaluate_exact_row(const tp_grid *grid, uint32_t j, uint32_
     }
 }
 
-void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
-                         tp_grid_vertex *vertex)
+TP_ALWAYS_INLINE void make_corners(const tp_grid *grid, const row_waves *waves, uint32_t j,
+                                   uint32_t first, uint32_t end, bool level,
+                                   tp_view_vertex *to)
 {
-    if (grid->fast)
-        grid->fast->evaluate_row(grid, j, first, end, vertex);
-    else
-        evaluate_exact_row(grid, j, first, end, vertex);
+    for (uint32_t i = first; i < end; i++, to++) {
+        const tp_surface_point at =
+            level ? sample_level(waves, i) : sample_swells(waves, i);
+        *to = (tp_view_vertex){ .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
+        tp_projection_view_vertex(grid->projection, at.position, to);
+    }
 }
 
-TP_NEVER_INLINE void make_exact_view_vertices(const tp_grid *grid, uint32_t j,
-                                              uint32_t first, uint32_t end,
-                                              tp_view_vertex *to)
+static void evaluate_exact_row(const tp_grid *grid, uint32_t j, uint32_t first,
+                               uint32_t end, tp_grid_vertex *vertex)
 {
     row_waves waves;
 
     list_waves(grid, &grid->fan->row[j], &waves);
-    for (uint32_t i = first; i < end; i++, to++) {
-        *to = (tp_view_vertex){ .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
-        tp_projection_view_vertex(grid->projection, sample(&waves, i).position, to);
-    }
+    evaluate_vertices(grid, &waves, first, end, false, vertex);
 }
 
-void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
-                               tp_view_vertex *to)
+static void make_exact_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first,
+                                     uint32_t end, tp_view_vertex *to)
 {
-    if (grid->fast)
-        grid->fast->make_view_vertices(grid, j, first, end, to);
-    else
-        make_exact_view_vertices(grid, j, first, end, to);
+    row_waves waves;
+
+    list_waves(grid, &grid->fan->row[j], &waves);
+    make_corners(grid, &waves, j, first, end, false, to);
 }
+
+static void evaluate_level_row(const tp_grid *grid, uint32_t j, uint32_t first,
+                               uint32_t end, tp_grid_vertex *vertex)
+{
+    row_waves waves;
+
+    begin_row(grid, &grid->fan->row[j], &waves);
+    evaluate_vertices(grid, &waves, first, end, true, vertex);
+}
+
+static void make_level_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first,
+                                     uint32_t end, tp_view_vertex *to)
+{
+    row_waves waves;
+
+    begin_row(grid, &grid->fan->row[j], &waves);
+    make_corners(grid, &waves, j, first, end, true, to);
+}
+
+const struct tp_draw_exact_waves tp_draw_exact_waves = { evaluate_exact_row };
+const struct tp_draw_exact_corners tp_draw_exact_corners = { make_exact_view_vertices };
+const struct tp_draw_level_waves tp_draw_level_waves = {{ evaluate_level_row,
+                                                          make_level_view_vertices }};

@@ -72,6 +72,28 @@ void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices)
 
 /* -- vertices ------------------------------------------------------------------------ */
 
+void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                         tp_grid_vertex *vertex)
+{
+    if (grid->waves)
+        grid->waves->evaluate_row(grid, j, first, end, vertex);
+    else if (grid->exact_waves)
+        grid->exact_waves->evaluate_row(grid, j, first, end, vertex);
+    else
+        memset(vertex + first, 0, (end - first) * sizeof *vertex);
+}
+
+void tp_fan_make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                               tp_view_vertex *to)
+{
+    if (grid->waves)
+        grid->waves->make_view_vertices(grid, j, first, end, to);
+    else if (grid->exact_corners)
+        grid->exact_corners->make_view_vertices(grid, j, first, end, to);
+    else
+        memset(to, 0, (end - first) * sizeof *to);
+}
+
 void tp_grid_make_view_vertices(const tp_grid *grid, const tp_grid_vertex *row, uint32_t j,
                                 uint32_t first, uint32_t end, tp_view_vertex *to)
 {

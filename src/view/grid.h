@@ -63,7 +63,9 @@ typedef struct {
     const tp_surface    *surface;
     uint32_t *dry;              /* a bit per vertex of coastal water: on land */
     struct tp_fan *fan;         /* the rows, view/fan.h */
-    const struct tp_draw_fast_waves *fast;  /* evaluates the vertices; NULL: fan_vertices.c */
+    const struct tp_draw_fast_waves *waves; /* evaluates the vertices; NULL: exact_waves */
+    const struct tp_draw_exact_waves *exact_waves;  /* NULL: all vertices lie in one point, */
+    const struct tp_draw_exact_corners *exact_corners; /* and nothing is drawn */
     const struct tp_draw_large_waves *large;    /* weighs the swells; NULL: the filter alone */
 } tp_grid;
 
@@ -74,6 +76,20 @@ struct tp_draw_fast_waves {
                          tp_grid_vertex *vertex);
     void (*make_view_vertices)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                                tp_view_vertex *to);
+};
+
+/* The exact vertices of any water, in two parts, and of water without swells;
+ * fan_vertices.c. */
+struct tp_draw_exact_waves {
+    void (*evaluate_row)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                         tp_grid_vertex *vertex);
+};
+struct tp_draw_exact_corners {
+    void (*make_view_vertices)(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                               tp_view_vertex *to);
+};
+struct tp_draw_level_waves {
+    struct tp_draw_fast_waves by;
 };
 
 /* The same by packed sines, for quality.normals and quality.sine = fast;

@@ -105,19 +105,12 @@ SUM(sum_deep_plain, false, true)
 SUM(sum_wind, true, false)
 SUM(sum_wind_plain, true, true)
 
-TP_ALWAYS_INLINE void add_row_waves(tp_fast_sum *to, const tp_fast_waves *waves, uint32_t i,
-                                    bool plain)
-{
-    const bool wind = waves->grid->surface->coastal != NULL;
+typedef void packed_sum(tp_fast_sum *to, const tp_fast_waves *waves, uint32_t i);
 
-    if (wind && plain)
-        sum_wind_plain(to, waves, i);
-    else if (wind)
-        sum_wind(to, waves, i);
-    else if (plain)
-        sum_deep_plain(to, waves, i);
-    else
-        sum_deep(to, waves, i);
+static packed_sum *choose_sum(const tp_grid *grid)
+{
+    return grid->surface->coastal ? grid->plain_normals ? sum_wind_plain : sum_wind
+                                  : grid->plain_normals ? sum_deep_plain : sum_deep;
 }
 
 /* Returns n / d as a slope, Q3.12; n: Q24, d: Q15, 2^10 at least. */
@@ -142,7 +135,8 @@ TP_ALWAYS_INLINE void set_plain_slopes(tp_fast_point *to, const tp_fast_sum *sum
  * tank, of rings and of pools have no steps: their vertices need places of the world. */
 typedef struct {
     tp_fast_waves waves;
-    bool     stepped;
+    packed_sum *sum;
+    bool     plain, stepped;
     uint32_t x, y, depth, step_x, step_y, step_depth;
 } packed_row;
 
@@ -154,6 +148,8 @@ static void place_row(packed_row *to, const tp_grid *grid, uint32_t j)
     tp_view_vertex first;
 
     tp_fast_list_waves(grid, row, &to->waves, packed_bits);
+    to->sum = choose_sum(grid);
+    to->plain = grid->plain_normals;
     for (uint32_t i = 0; grid->plain_normals && i < to->waves.count; i++)
         to->waves.wave[i].bend_xx += to->waves.wave[i].bend_zz;
     to->stepped = to->waves.detail == 0 && grid->fan->end_column == UINT32_MAX;
@@ -184,45 +180,38 @@ TP_ALWAYS_INLINE void set_stepped_view(tp_view_vertex *c, const packed_row *row,
     c->depth = (int32_t)(row->depth + i * row->step_depth + along(sum, p->ahead));
 }
 
-/* Sets the view coordinates and slopes of vertex i; `plain` is a literal. */
-TP_ALWAYS_INLINE void place_vertex(const packed_row *row, uint32_t i, bool plain,
-                                   tp_view_vertex *c, tp_fast_point *at)
+/* Sets view coordinates of vertex i by its place in the world, with rings and pools. */
+TP_NEVER_INLINE void set_placed_view(tp_view_vertex *c, const tp_fast_waves *waves,
+                                     const tp_fast_sum *sum, uint32_t i, tp_fast_point *at)
 {
-    const tp_fast_waves *waves = &row->waves;
     const tp_fan *fan = waves->grid->fan;
-    tp_fast_sum sum;
 
-    add_row_waves(&sum, waves, i, plain);
-    if (plain)
-        set_plain_slopes(at, &sum);
-    else
-        tp_fast_set_slopes(at, &sum);
-    if (row->stepped) {
-        set_stepped_view(c, row, &sum, i);
-        return;
-    }
-    at->position = tp_fast_position(&sum, tp_fan_x(fan, waves->row, i),
+    at->position = tp_fast_position(sum, tp_fan_x(fan, waves->row, i),
                                     tp_fan_z(fan, waves->row, i));
     if (waves->detail != 0)
         tp_fast_add_detail(waves, at);
     tp_projection_view_vertex(waves->grid->projection, at->position, c);
 }
 
-/* -- rows ---------------------------------------------------------------------------- */
-
-TP_ALWAYS_INLINE void evaluate_columns(const packed_row *row, uint32_t first, uint32_t end,
-                                       bool plain, tp_grid_vertex *vertex)
+/* Sets the view coordinates and slopes of vertex i. */
+TP_ALWAYS_INLINE void place_vertex(const packed_row *row, uint32_t i, tp_view_vertex *c,
+                                   tp_fast_point *at)
 {
-    const tp_projection *projection = row->waves.grid->projection;
+    const tp_fast_waves *waves = &row->waves;
+    tp_fast_sum sum;
 
-    for (uint32_t i = first; i < end; i++) {
-        tp_grid_vertex *to = &vertex[i];
-        tp_view_vertex c;
-        tp_fast_point at;
-        place_vertex(row, i, plain, &c, &at);
-        tp_fast_store_vertex(projection, &c, &at, to);
-    }
+    row->sum(&sum, waves, i);
+    if (row->plain)
+        set_plain_slopes(at, &sum);
+    else
+        tp_fast_set_slopes(at, &sum);
+    if (row->stepped)
+        set_stepped_view(c, row, &sum, i);
+    else
+        set_placed_view(c, waves, &sum, i, at);
 }
+
+/* -- rows ---------------------------------------------------------------------------- */
 
 static void evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                          tp_grid_vertex *vertex)
@@ -230,10 +219,12 @@ static void evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32
     packed_row row;
 
     place_row(&row, grid, j);
-    if (grid->plain_normals)
-        evaluate_columns(&row, first, end, true, vertex);
-    else
-        evaluate_columns(&row, first, end, false, vertex);
+    for (uint32_t i = first; i < end; i++) {
+        tp_view_vertex c;
+        tp_fast_point at;
+        place_vertex(&row, i, &c, &at);
+        tp_fast_store_vertex(grid->projection, &c, &at, &vertex[i]);
+    }
 }
 
 static void make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
@@ -245,7 +236,7 @@ static void make_view_vertices(const tp_grid *grid, uint32_t j, uint32_t first, 
     for (uint32_t i = first; i < end; i++, to++) {
         tp_fast_point at;
         *to = (tp_view_vertex){ .s = tp_grid_s(grid, i, j), .t = tp_grid_t(grid, i, j) };
-        place_vertex(&row, i, true, to, &at);
+        place_vertex(&row, i, to, &at);
     }
 }
 

@@ -29,11 +29,11 @@ tp_height_slope tp_rings_pools_sample(const tp_surface *surface, tp_fx x, tp_fx 
     if (surface->rings)
         sum = surface->by->rings->height_slope(surface->ring, surface->rings, x, z);
     if (surface->pool)
-        add_height_slope(
-            &sum, surface->by->pools->height_slope(surface->pool, x, z, surface->lag));
+        add_height_slope(&sum, surface->by->pools->height_slope(
+                                   surface->pool, surface->pool_kind, x, z, surface->lag));
     if (surface->field)
-        add_height_slope(
-            &sum, surface->by->pools->height_slope(surface->field, x, z, surface->lag));
+        add_height_slope(&sum, surface->by->pools->height_slope(
+                                   surface->field, surface->field_kind, x, z, surface->lag));
     return sum;
 }
 

@@ -24,6 +24,8 @@ typedef struct {
     const tp_ring  *raised;     /* rings of the world, the source of `ring` at its tick */
     uint32_t        n_raised;   /* number of `raised` rings */
     const tp_pool  *pool, *field;
+    const tp_pool_kind *pool_kind, *field_kind; /* not NULL if there is a pool
+                                                     * that may be sampled */
     tp_fx           lag;        /* interpolation of the pools, 0..1 tick */
 } tp_surface;
 

@@ -205,8 +205,26 @@ static const struct tp_fan_relief relief = {
 const struct tp_water_rings tp_water_rings = { tp_ring_height_slope, tp_ring_evaluate,
                                                &relief };
 
-const struct tp_water_pools tp_water_pools = { tp_pool_height_slope, tp_pool_height_bound,
-                                               &relief };
+const tp_pool_kind *tp_pool_kind_of_program(const tp_wave_models *by, uint32_t number)
+{
+    switch (number) {
+#define X(name) \
+    case TP_POOL_KIND_##name: return by->pool_##name ? by->pool_##name->kind : NULL;
+        TP_POOL_KINDS(X)
+#undef X
+    default: return NULL;
+    }
+}
+
+const struct tp_water_pools tp_water_pools = { tp_pool_sample, tp_pool_height_bound, &relief };
+
+#define X(name) const struct tp_water_pool_##name tp_water_pool_##name = { &tp_pool_##name };
+TP_POOL_KINDS(X)
+#undef X
+
+const struct tp_water_pool_splashes tp_water_pool_splashes = {
+    tp_pool_add_splash, tp_pool_splash_if_quiet,
+};
 
 const struct tp_water_swells tp_water_swells = { .init = tp_deep_water_init };
 

@@ -122,9 +122,31 @@ struct tp_water_rings {
 };
 
 struct tp_water_pools {
-    tp_height_slope (*height_slope)(const tp_pool *pool, tp_fx x, tp_fx z, tp_fx back);
+    tp_height_slope (*height_slope)(const tp_pool *pool, const tp_pool_kind *kind, tp_fx x,
+                                    tp_fx z, tp_fx lag);
     tp_fx (*highest)(const tp_pool *pool);
     const struct tp_fan_relief *relief;
+};
+
+/* The kinds of pools. */
+#define X(name) struct tp_water_pool_##name { const tp_pool_kind *kind; };
+TP_POOL_KINDS(X)
+#undef X
+
+/* Returns a program's kind of this number, or of a pool; NULL: the program lacks it. */
+const tp_pool_kind *tp_pool_kind_of_program(const tp_wave_models *by, uint32_t number);
+
+static inline const tp_pool_kind *tp_pool_kind_of(const tp_wave_models *by,
+                                                  const tp_pool *pool)
+{
+    return tp_pool_kind_of_program(
+        by, tp_pool_kind_number((tp_cells)pool->cells, pool->walls != 0, pool->sponge != 0));
+}
+
+/* Splashes in pools: of drops, and of pools that drive their water [C16]. */
+struct tp_water_pool_splashes {
+    bool (*add)(tp_pool *pool, tp_fx x, tp_fx z, tp_fx sigma, tp_fx height);
+    tp_pool_drive *drive;
 };
 
 struct tp_water_swells {

@@ -218,7 +218,7 @@ bool tp_modules_handle_impact(const tp_program *program, tp_world *world,
 
     for (const tp_use *u = program->modules; u && u->module; u++) {
         void *mine = PART_FOR(hit, u, world);
-        if (mine && u->module->hit(mine, scene, impact, level))
+        if (mine && u->module->hit(mine, program, scene, impact, level))
             moves = true;
     }
     return moves;

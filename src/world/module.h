@@ -184,7 +184,8 @@ typedef struct tp_module {
 
     /* Called when an object strikes the water at height `level`.  True: the module moves
      * the water. */
-    bool (*hit)(void *mine, const tp_scene *scene, const tp_impact *impact, tp_fx level);
+    bool (*hit)(void *mine, const tp_program *program, const tp_scene *scene,
+                const tp_impact *impact, tp_fx level);
 
     /* Moves the camera with the module's body, `lag` before the tick. */
     void (*carry)(const tp_world *world, tp_fx lag, tp_camera *camera);

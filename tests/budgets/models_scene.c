@@ -178,10 +178,13 @@ static void prepare_grid(int kind)
         set_rings();
     if (kind == POOL) {
         surface.pool = model_pool(MODEL_POOL(TP_CELLS_16, 128, OPEN));
+        surface.pool_kind = tp_pool_find_kind(surface.pool);
         below = sizeof model.block / 2;
     }
     tp_arena arena = tp_arena_init(model.block.byte + below, sizeof model.block - below);
     tp_grid_layout(&grid, &arena, SIDE * SIDE, TP_WAVES, false);
+    grid.exact_waves = &tp_draw_exact_waves;
+    grid.exact_corners = &tp_draw_exact_corners;
     model_expect(!arena.failed, "no memory for the grid");
     tp_projection_init(&projection, (tp_vec3){ 0, TP_FX(30), TP_FX(40) }, 0,
                  tp_turn_of_degrees(TP_FX(-40)), TP_FX(90), TP_FX(0.5), WIDTH, HEIGHT);

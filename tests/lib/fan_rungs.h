@@ -38,10 +38,10 @@ static inline void compare_row(fan_sea *s, const struct tp_draw_fast_waves *by, 
     static tp_grid_vertex m[MOST], n[MOST];
     const uint32_t cols = s->grid.cols;
 
-    s->grid.fast = NULL;
+    s->grid.waves = NULL;
     tp_fan_make_view_vertices(&s->grid, j, 0, cols, a);
     tp_fan_evaluate_row(&s->grid, j, 0, cols, m);
-    s->grid.fast = by;
+    s->grid.waves = by;
     tp_fan_make_view_vertices(&s->grid, j, 0, cols, b);
     tp_fan_evaluate_row(&s->grid, j, 0, cols, n);
     for (uint32_t i = 0; i < cols; i++) {

@@ -10,6 +10,8 @@ static inline void grid_carve(tp_grid *grid, tp_arena *arena, uint32_t vertices,
                               bool coastal)
 {
     tp_grid_layout(grid, arena, vertices, TP_WAVES, false);
+    grid->exact_waves = &tp_draw_exact_waves;
+    grid->exact_corners = &tp_draw_exact_corners;
     if (coastal)
         tp_grid_layout_coastal(grid, arena, vertices);
 }

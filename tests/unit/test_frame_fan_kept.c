@@ -148,6 +148,8 @@ static void lay_out(kept_grid *g, uint32_t vertices, uint32_t swells, bool strea
     memset(g->block, 0xa5, count.used);
     tp_arena arena = tp_arena_init(g->block, count.used);
     tp_grid_layout(&g->grid, &arena, vertices, swells, streams);
+    g->grid.exact_waves = &tp_draw_exact_waves;
+    g->grid.exact_corners = &tp_draw_exact_corners;
     assert_false(arena.failed);
     tp_filtered_waves_clear(&g->filtered);
 }

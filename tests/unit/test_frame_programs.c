@@ -17,7 +17,8 @@ static test_twice twice;
 static const tp_program least = {
     .stage = { TP_STAGE(sky), TP_STAGE(plain) },
     .store = { [TP_FORMAT_XRGB8888] = tp_store_xrgb8888 },
-    .draw = { TP_DRAW(cells), TP_DRAW(grid_rows), TP_DRAW(exact_triangles) },
+    .draw = { TP_DRAW(cells), TP_DRAW(grid_rows), TP_DRAW(exact_triangles),
+              TP_DRAW(exact_waves), TP_DRAW(exact_corners) },
     .method = { TP_METHOD(triangles) },
 };
 

@@ -36,7 +36,7 @@ static void parts_of_a_row_have_the_same_bits(void **state)
     for (int n = 0; n < 30; n++) {
         fan_sea s;
         fan_sea_lay_out(&s, 1 + n % 6, &chance);
-        s.grid.fast = &tp_draw_fast_waves;
+        s.grid.waves = &tp_draw_fast_waves;
         check_parts_of_rows(&s);
         free(s.block);
     }

@@ -93,7 +93,7 @@ static void level_water_has_no_slopes(void **state)
     for (int n = 0; n < 20; n++) {
         fan_sea s;
         fan_sea_lay_out(&s, 0, &chance);
-        s.grid.fast = n & 1 ? &tp_draw_table_waves.by : &tp_draw_packed_waves.by;
+        s.grid.waves = n & 1 ? &tp_draw_table_waves.by : &tp_draw_packed_waves.by;
         s.grid.plain_normals = n & 2;
         for (uint32_t j = 0; j < s.grid.rows; j += 5) {
             tp_fan_evaluate_row(&s.grid, j, 0, s.grid.cols, row);
@@ -110,7 +110,7 @@ static void parts_of_a_row_have_the_same_bits(void **state)
     for (int n = 0; n < 30; n++) {
         fan_sea s;
         fan_sea_lay_out(&s, 1 + n % 6, &chance);
-        s.grid.fast = n & 1 ? &tp_draw_table_waves.by : &tp_draw_packed_waves.by;
+        s.grid.waves = n & 1 ? &tp_draw_table_waves.by : &tp_draw_packed_waves.by;
         s.grid.plain_normals = n & 2;
         s.grid.large = n & 4 ? &tp_draw_large_waves : NULL;
         s.grid.half_px = 1;

@@ -62,7 +62,9 @@ static tp_surface surface_make(surface_water *w, double q)
                          .ring = w->ring,
                          .rings = RINGS,
                          .pool = w->pool,
-                         .field = w->field };
+                         .field = w->field,
+                         .pool_kind = tp_pool_find_kind(w->pool),
+                         .field_kind = tp_pool_find_kind(w->field) };
 }
 
 static void water_end(surface_water *w)
@@ -133,7 +135,8 @@ static void a_falling_pool_of_32_bits_was_higher_a_tick_ago(void **state)
     tp_pool *pool = pool_make(&c);
     tp_deep_water deep = { 0 };
     const tp_surface s = {
-        .by = &tp_program_all.water, .deep = &deep, .pool = pool, .lag = TP_FX_ONE
+        .by = &tp_program_all.water, .deep = &deep, .pool = pool, .lag = TP_FX_ONE,
+        .pool_kind = tp_pool_find_kind(pool)
     };
 
     assert_true(tp_pool_add_splash(pool, 0, 0, TP_FX(0.5), TP_FX_ONE));

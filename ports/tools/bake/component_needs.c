@@ -71,7 +71,9 @@ static void add_active_modules(component_set *needed,
 enum { OF_CAMERAS = -1 };
 
 static const struct { const char *part, *caller; int format; } kept[] = {
-    { "cells", "triangles", OF_CAMERAS }, { "row_sides", "rows", OF_CAMERAS },
+    { "cells", "triangles", OF_CAMERAS }, { "exact_triangles", "cells", OF_CAMERAS },
+    { "exact_waves", "triangles", OF_CAMERAS }, { "exact_corners", "cells", OF_CAMERAS },
+    { "row_sides", "rows", OF_CAMERAS },
     { "row_middles", "rows", OF_CAMERAS }, { "flat_roll", "flat", OF_CAMERAS },
     { "samples", "swells", OF_CAMERAS },
     { "tone_rgb565", "exposure", TP_FORMAT_RGB565 },

@@ -18,7 +18,7 @@ typedef struct {
     component_kind  kind;
 } component;
 
-#define COMPONENTS_MOST 256
+#define COMPONENTS_MOST 320
 
 extern const component  components[];
 extern const size_t component_count;        /* up to COMPONENTS_MOST */

@@ -108,6 +108,7 @@ static waters sample_hull_water(const tp_program *program, tp_world *world,
 {
     const tp_surface surface = tp_world_surface(program, world);
     const tp_pool *stirred = program->water.pools ? tp_boat_pool(world) : NULL;
+    const tp_pool_kind *kind = stirred ? tp_pool_kind_of(&program->water, stirred) : NULL;
     waters w;
 
     for (int i = 0; i < 4; i++) {
@@ -115,7 +116,7 @@ static waters sample_hull_water(const tp_program *program, tp_world *world,
         tp_surface_point at =
             tp_surface_sample(&surface, x, z, world->boat_state.rest[i]);
         tp_fx high =
-            stirred ? program->water.pools->height_slope(stirred, x, z, 0).height : 0;
+            kind ? program->water.pools->height_slope(stirred, kind, x, z, 0).height : 0;
         w.all[i] = tp_clamp(at.position.y, -WATER_MOST, WATER_MOST);
         w.without_pool[i] = tp_clamp(at.position.y - high, -WATER_MOST, WATER_MOST);
     }

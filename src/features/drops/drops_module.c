@@ -251,10 +251,10 @@ static bool apply_sphere_config(void *mine, tp_world *world,
 
 /* Handles an impact.  With drops.target = rings the impact raises a ring; otherwise a pool
  * takes the same impact [D5]. */
-static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
-                          tp_fx level)
+static bool handle_impact(void *mine, const tp_program *program,
+                          const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
-    (void)level;
+    (void)program, (void)level;
     return scene->drops.target == TP_DROPS_RINGS
            && tp_drops_add_ring(mine, &scene->drops, impact);
 }

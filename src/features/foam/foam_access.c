@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Access to the field from outside: cover by place, means, the map of the floor. */
 #include "base/base.h"
-#include "features/foam/foam.h"
+#include "features/foam/foam_visit.h"
 #include "waves/coastal_tables.h"
 #include "world/pools.h"
 
@@ -42,6 +42,8 @@ void tp_foam_add_blob(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t co
         }
     }
 }
+
+const struct tp_water_foam_splashes tp_water_foam_splashes = { tp_foam_add_blob };
 
 uint8_t tp_foam_sample(const tp_foam *foam, tp_fx x, tp_fx z)
 {

@@ -84,7 +84,8 @@ static tp_status check(const tp_module_conditions *conditions, tp_error *err)
         : coast && !by->foam_coast                ? "foam_coast"
         : scene->pool.cols > 0 && !by->foam_walls ? "foam_walls"
         : scene->boat.mesh[0] && scene->foam.hull > 0 && !by->foam_hull ? "foam_hull"
-        : scene->foam.slices > 1 && !by->foam_slices ? "foam_slices" : NULL;
+        : scene->foam.slices > 1 && !by->foam_slices ? "foam_slices"
+        : scene->drops.count > 0 && !by->foam_splashes ? "foam_splashes" : NULL;
 
     return lacking ? tp_program_fail_lacking(lacking, err) : TP_OK;
 }
@@ -304,17 +305,20 @@ static void step(void *mine, const tp_program *program, tp_world *world,
     step_foam(mine, &program->water, world, scene);
 }
 
-static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
-                          tp_fx level)
+static bool handle_impact(void *mine, const tp_program *program,
+                          const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
+    const struct tp_water_foam_splashes *splashes = program->water.foam_splashes;
+
     (void)scene, (void)level;
-    tp_foam_add_blob(mine, impact->x, impact->z, impact->length / 5, 160);
+    if (splashes)
+        splashes->add(mine, impact->x, impact->z, impact->length / 5, 160);
     return false;
 }
 
 const tp_module tp_foam_module = {
     .name = "foam", .id = TP_FOAM_ID,
     .trait = TP_TRAIT_foam, .enabled = tp_foam_enabled,
-    .check = check, .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = handle_impact,
-    .is_valid = is_valid,
+    .check = check, .bytes = bytes, .init = init, .fits = fits, .step = step,
+    .hit = handle_impact, .is_valid = is_valid,
 };

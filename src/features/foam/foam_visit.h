@@ -99,6 +99,11 @@ struct tp_water_foam_hull {
     bool (*range)(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to);
 };
 
+/* Foam where drops fall, foam_access.c. */
+struct tp_water_foam_splashes {
+    void (*add)(tp_foam *foam, tp_fx x, tp_fx z, tp_fx radius, uint32_t cover);
+};
+
 /* Visits a row, number `number` of the lattice, of a scene of several slices; returns the
  * sum of its cover. */
 struct tp_water_foam_slices {

@@ -7,6 +7,7 @@
 #include "base/base.h"
 #include "features/pool/pool_module.h"
 #include "pool/pool.h"
+#include "view/wave_models.h"
 #include "world/world.h"
 
 /* -- the paddle ---------------------------------------------------------------------- */
@@ -229,6 +230,38 @@ static size_t basin_bytes(const tp_module_conditions *conditions, bool is_field)
     return offsetof(tp_basin, pool) + tp_pool_bytes(&config);
 }
 
+/* Returns the name of a part that the program lacks for this pool; NULL: none. */
+static const char *find_lacking_part(const tp_wave_models *by, const tp_scene *scene,
+                                     const tp_pool_config *config)
+{
+    static const char *const names[] = {
+#define X(name) "pool_" #name,
+        TP_POOL_KINDS(X)
+#undef X
+    };
+    const bool sponge = config->edges == TP_EDGES_SPONGE;
+    const uint32_t number = tp_pool_kind_number(config->cells, config->mask != NULL, sponge);
+    const bool splashes = config->drive_min > 0
+                          || (scene->drops.count > 0
+                              && scene->drops.target != TP_DROPS_RINGS);
+
+    return !tp_pool_kind_of_program(by, number) ? names[number]
+         : splashes && !by->pool_splashes       ? "pool_splashes" : NULL;
+}
+
+static tp_status check_basin(const tp_module_conditions *conditions, bool is_field,
+                             tp_error *err)
+{
+    const tp_scene *scene = conditions->scene;
+    const tp_status status = tp_pools_check(scene, conditions->assets, is_field, err);
+    const tp_pool_config config = tp_pools_config(scene, conditions->assets, is_field);
+    const char *lacking = status == TP_OK && config.cols > 0 && conditions->water
+                              ? find_lacking_part(conditions->water, scene, &config)
+                              : NULL;
+
+    return lacking ? tp_program_fail_lacking(lacking, err) : status;
+}
+
 static tp_status init_basin(tp_basin *basin, const tp_module_conditions *conditions,
                             bool is_field, tp_error *err)
 {
@@ -257,10 +290,13 @@ static bool apply_basin_config(tp_basin *basin, const tp_scene *scene, bool is_f
 static void step(void *mine, const tp_program *program, tp_world *world,
                  const tp_scene *scene, const tp_input *in)
 {
-    tp_basin *basin = mine;
+    tp_pool *pool = &((tp_basin *)mine)->pool;
+    const tp_pool_kind *kind = tp_pool_kind_of(&program->water, pool);
+    const struct tp_water_pool_splashes *splashes = program->water.pool_splashes;
 
-    (void)program, (void)world, (void)scene, (void)in;
-    tp_pool_step(&basin->pool);
+    (void)world, (void)scene, (void)in;
+    if (kind)
+        tp_pool_step_kind(pool, kind, splashes ? splashes->drive : NULL);
 }
 
 static bool is_valid(const void *mine, const void *fresh_state, const tp_world *world)
@@ -274,7 +310,7 @@ static bool is_valid(const void *mine, const void *fresh_state, const tp_world *
 
 static tp_status pool_check(const tp_module_conditions *conditions, tp_error *err)
 {
-    return tp_pools_check(conditions->scene, conditions->assets, false, err);
+    return check_basin(conditions, false, err);
 }
 
 static size_t pool_bytes(const tp_module_conditions *conditions)
@@ -302,20 +338,23 @@ static bool pool_refresh(void *mine, tp_world *world,
 }
 
 /* Handles an impact: a splash of the strength of a ring [D5]. */
-static bool pool_handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
-                               tp_fx level)
+static bool pool_handle_impact(void *mine, const tp_program *program,
+                               const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
     tp_basin *basin = mine;
 
     (void)level;
-    return scene->drops.target != TP_DROPS_RINGS
-           && tp_pool_add_splash(&basin->pool, impact->x, impact->z, impact->length / 4,
-                                 -impact->amplitude);
+    return scene->drops.target != TP_DROPS_RINGS && program->water.pool_splashes
+           && program->water.pool_splashes->add(&basin->pool, impact->x, impact->z,
+                                                impact->length / 4, -impact->amplitude);
 }
 
 static void pool_surface(const void *mine, tp_surface *surface)
 {
-    surface->pool = surface->by->pools ? &((const tp_basin *)mine)->pool : NULL;
+    const tp_pool *pool = &((const tp_basin *)mine)->pool;
+
+    surface->pool_kind = surface->by->pools ? tp_pool_kind_of(surface->by, pool) : NULL;
+    surface->pool = surface->pool_kind ? pool : NULL;
 }
 
 const tp_module tp_main_pool_module = {
@@ -332,7 +371,7 @@ const tp_module tp_main_pool_module = {
 
 static tp_status field_check(const tp_module_conditions *conditions, tp_error *err)
 {
-    return tp_pools_check(conditions->scene, conditions->assets, true, err);
+    return check_basin(conditions, true, err);
 }
 
 static size_t field_bytes(const tp_module_conditions *conditions)
@@ -361,7 +400,10 @@ static bool field_refresh(void *mine, tp_world *world,
 
 static void field_surface(const void *mine, tp_surface *surface)
 {
-    surface->field = surface->by->pools ? &((const tp_basin *)mine)->pool : NULL;
+    const tp_pool *pool = &((const tp_basin *)mine)->pool;
+
+    surface->field_kind = surface->by->pools ? tp_pool_kind_of(surface->by, pool) : NULL;
+    surface->field = surface->field_kind ? pool : NULL;
 }
 
 const tp_module tp_field_module = {

@@ -130,6 +130,11 @@ typedef struct {
 void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,
                      tp_fx level);
 
+struct tp_water_spray_splashes {
+    void (*add)(tp_spray *spray, const tp_scene *scene, const tp_impact *impact,
+                tp_fx level);
+};
+
 #define TP_SPRAY_ROWS \
     TP_ROW_COUNT("spray.count", spray.count, "", 0, 1024, 0, \
         "most specks of spray and bubbles at once; 0: none"), \

@@ -46,6 +46,15 @@ static size_t bytes(const tp_module_conditions *conditions)
     return sizeof(tp_spray) + (size_t)conditions->scene->spray.count * sizeof(tp_speck);
 }
 
+/* Refuses drops whose spray the program lacks. */
+static tp_status check(const tp_module_conditions *conditions, tp_error *err)
+{
+    const tp_wave_models *by = conditions->water;
+
+    return by && conditions->scene->drops.count > 0 && !by->spray_splashes
+               ? tp_program_fail_lacking("spray_splashes", err) : TP_OK;
+}
+
 static tp_status init(void *mine, tp_world *world, const tp_module_conditions *conditions,
                       tp_error *err)
 {
@@ -286,6 +295,8 @@ void tp_spray_splash(tp_spray *spray, const tp_scene *scene, const tp_impact *im
     }
 }
 
+const struct tp_water_spray_splashes tp_water_spray_splashes = { tp_spray_splash };
+
 #define BOW_PACE 2              /* m/s: lowest speed with bow spray */
 
 static void throw_bow_spray(tp_world *world, const tp_scene *scene, tp_spray *spray,
@@ -367,10 +378,11 @@ static bool fits(const void *mine, const tp_scene *scene)
     return spray->capacity == (uint32_t)scene->spray.count;
 }
 
-static bool handle_impact(void *mine, const tp_scene *scene, const tp_impact *impact,
-                          tp_fx level)
+static bool handle_impact(void *mine, const tp_program *program,
+                          const tp_scene *scene, const tp_impact *impact, tp_fx level)
 {
-    tp_spray_splash(mine, scene, impact, level);
+    if (program->water.spray_splashes)
+        program->water.spray_splashes->add(mine, scene, impact, level);
     return false;
 }
 
@@ -387,6 +399,6 @@ const tp_module tp_spray_module = {
     .init = init,
     .fits = fits,
     .step = step,
-    .hit = handle_impact,
+    .check = check, .hit = handle_impact,
     .is_valid = is_valid,
 };
