@@ -13,6 +13,11 @@ $(SCENES:%=$(BUILD)/tests/cross/film-%): \
           $(BUILD)/tests/cross/film-%: $(BUILD)/tests/cross/film.o $(call objects,$(FILM)) \
           build/baked/$(MACHINE)/%.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
+# The same on a board.
+$(SCENES:%=$(BUILD)/tests/cross/frames-%.elf) $(DRAWN:%=$(BUILD)/tests/cross/frames-%.elf): \
+          $(BUILD)/tests/cross/frames-%.elf: $(BUILD)/tests/cross/board_frames.o \
+          build/baked/$(MACHINE)/%.o $(BOARD_REST)
+	$(SAY)$(LINK_ELF)
 
 frames: $(FRAMES)
 list-cross:

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 # Equal bits everywhere: builds the core and tests/cross/frames for each machine, compiler
 # and optimisation level, and compares the golden frames' CRCs. Quick: a big-endian machine,
-# by clang at -O2. With TP_SOAK set each machine gets all pairs, -O0 and LTO too. Other tests
-# draw golden frames on this machine, by gcc at -O2, with pixel loops at -O3, and sanitized
-# at -O1; on a Cortex-M4; on 32-bit wasm; and films on aarch64. Asserts are on except at -O3,
-# whose frames are those of a release.
+# by clang at -O2, and a bare Cortex-M33, emulated. With TP_SOAK set each machine gets all
+# pairs, -O0 and LTO too, and a bare Cortex-M4 and Cortex-M0+ draw. Other tests draw golden
+# frames on this machine, by gcc at -O2, with pixel loops at -O3, and sanitized at -O1; on
+# 32-bit wasm; and films on aarch64. Asserts are on except at -O3 and on boards, whose frames
+# are those of a release.
 #
 # -O2 draws all pixel formats, the other levels only xrgb8888. LTO is gcc with -O2 -flto,
 # which compiles the whole core again for each scene: LTO draws two scenes.
@@ -136,4 +137,38 @@ done <<EOF
 $machines
 EOF
 echo "$table"
+
+# -- boards ----------------------------------------------------------------------------
+
+board_draws()   # BOARD EMULATOR SCENE [OTHER]: its golden frames in xrgb8888, or OTHER's
+{
+    programs=build/${1##*/}/tests/cross
+    timeout 100 qemu-system-arm -M "$2" -nographic -monitor none -serial null \
+        -chardev file,id=said,path="$scratch/said" -kernel "$programs/frames-$3.elf" \
+        -semihosting-config enable=on,target=native,chardev=said </dev/null || return 1
+    sed -n "s/^${4:-$3} \(xrgb8888 \)/\1/p" "$scratch/expected" | diff - "$scratch/said"
+}
+draw_all()      # BOARD EMULATOR
+{
+    for scene in $scenes; do
+        board_draws "$1" "$2" "$scene" || { echo "$scene"; return 1; }
+    done
+}
+build_all()     # BOARD
+{
+    # shellcheck disable=SC2046
+    alone build -s BOARD="$1" \
+        $(for scene in $scenes; do echo "build/${1##*/}/tests/cross/frames-$scene.elf"; done)
+}
+
+boards='cortex-m/mps2-an505:mps2-an505'
+[ -z "${TP_SOAK:-}" ] || boards="$boards cortex-m:mps2-an386 cortex-m/m0plus:mps2-an386"
+for board in $boards; do
+    emulator=${board#*:} board=${board%:*}
+    lacks arm-none-eabi-gcc gcc-arm-none-eabi "frames on $board" && continue
+    lacks qemu-system-arm qemu-system-arm "frames on $board" && continue
+    check "programs for $board build" build_all "$board"
+    check "$board draws the golden frames of all scenes" draw_all "$board" "$emulator"
+    refuse "and no others" board_draws "$board" "$emulator" tank storm
+done
 finish
