@@ -9,9 +9,9 @@ DRAWN    := $(patsubst tests/golden/scenes/%.ini,%,$(wildcard tests/golden/scene
 # -- bake ------------------------------------------------------------------------------
 
 # Scenes are baked once for each processor, and again when the code that writes them
-# changes. SCENE=harbour@32 limits textures to 32 texels a side; SCENE=harbour+cheap takes
-# the rungs of tests/budgets/cheapest.txt, and storm+spray those of that line of effects.txt
-# beside it.
+# changes. SCENE=harbour@32 limits textures to 32 texels a side; SCENE=harbour+cheap and
+# harbour+cheap@32 take the rungs of tests/budgets/cheapest.txt, and storm+spray those of that
+# line of effects.txt beside it.
 BAKES    := $(wildcard ports/tools/bake/*.c ports/app/scene/assets*.c \
                 ports/app/scene/scene*.c ports/app/files/*_read.c src/mesh/*.c \
                 src/features/all_rows.c include/tidepool/*.h)
@@ -48,6 +48,8 @@ endef
 define baked_at
 $1/%@$4.c: $5/%.ini $3 $$(BAKED_FROM)
 	$(call bake,$$<,$2 --texels $4)
+$1/%+cheap@$4.c: $5/%.ini tests/budgets/cheapest.txt $3 $$(BAKED_FROM)
+	$(call bake,$$<,$2 --texels $4 $$$$(sed -n 's/^$$* //p' tests/budgets/cheapest.txt))
 endef
 baked = $(eval $(call baked_in,$1,$2,$3)) $(foreach n,16 32 64 128,$(foreach folder, \
     assets/scenes ports/cortex-m/scenes tests/budgets, \
@@ -55,9 +57,12 @@ baked = $(eval $(call baked_in,$1,$2,$3)) $(foreach n,16 32 64 128,$(foreach fol
     $(eval $(call baked_effect,$1,$2,$3,$(effect))))
 $(call baked,build/baked)
 # A board's baked scenes include the module list for the link, which depends on all
-# drawing code.
+# drawing code and on the options.
 ifdef BAKE
-$(call baked,$(BUILD)/baked,$(BAKE),build/host/tidepool ports/$(BOARD)/board.mk)
+$(BUILD)/bake: force
+	@mkdir -p $(@D)
+	@echo '$(BAKE)' | cmp -s - $@ || echo '$(BAKE)' >$@
+$(call baked,$(BUILD)/baked,$(BAKE),build/host/tidepool $(BUILD)/bake)
 endif
 build/baked/prices.c: tests/budgets/prices.ini $(BAKES) $(SHIPPED) | build/host/tidepool
 	@mkdir -p $(@D)
@@ -89,23 +94,28 @@ BOARD_O  := $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(BOARD_C))))
 ifneq ($(SMALL),)
 $(filter-out %/memory.o,$(BOARD_O)): private FLAGS += $(SMALL)
 endif
-LD_FILES := $(if $(BOARD),$(BOARD_LD) $(wildcard $(dir $(BOARD_LD))../*.ld))
+LD_FILES := $(if $(BOARD),$(BOARD_LD) $(wildcard $(addprefix $(dir $(BOARD_LD)), \
+               *.ld ../*.ld)))
+# A scene's functions that run in RAM, for the linker script of a board with slow flash.
+$(BUILD)/in_ram/%/in_ram.ld: $(IN_RAM) ports/pico/in_ram.awk
+	@mkdir -p $(@D)
+	@awk -v scene=$* -f ports/pico/in_ram.awk $(IN_RAM) >$@
 # All that a test's own program for a board needs besides its own objects.
 BOARD_REST := $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
-LINK_ELF  = $(LINK) -nostdlib -T $(BOARD_LD) -Wl,--gc-sections $(filter %.o,$^) \
-            $(LIB) -lgcc -o $@
+LINK_ELF  = $(LINK) -nostdlib $(if $(IN_RAM),-L$(BUILD)/in_ram/$*) -T $(BOARD_LD) \
+            -Wl,--gc-sections $(filter %.o,$^) $(LIB) -lgcc -o $@
 $(BUILD)/scenes/%.elf: $(if $(BAKE),$(BUILD)/baked,build/baked/$(MACHINE))/%.o \
-          $(BOARD_O) $(LIB) $(LD_FILES)
+          $(BOARD_O) $(LIB) $(LD_FILES) $(if $(IN_RAM),$(BUILD)/in_ram/%/in_ram.ld)
 	@mkdir -p $(@D)
 	$(SAY)$(LINK_ELF) -Wl,-Map=$(@:.elf=.map)
 # The content of a board's flash, in whole pages of 256 bytes; and the same in the format
-# that the boot ROM of an RP2040 takes.
+# that the boot ROM of an RP2040 or RP2350 takes.
 uf2: $(BUILD)/scenes/$(SCENE).uf2
 %.bin: %.elf
 	$(SAY)$(OBJCOPY) -O binary $< $@ && truncate -s %256 $@
 %.uf2: %.bin ports/pico/uf2.S
 	$(SAY)$(CC) $(ARCH) -c -DIMAGE='"$<"' -DBLOCKS=$$(($$(wc -c <$<) / 256)) \
-	    ports/pico/uf2.S -o $@.o
+	    -DFAMILY=$(UF2_FAMILY) ports/pico/uf2.S -o $@.o
 	@$(OBJCOPY) -O binary -j .uf2 $@.o $@ && rm $@.o
 # The program for raw screens.
 $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(call objects,$(SCREEN)) \
@@ -115,4 +125,6 @@ $(SCENES:%=$(BUILD)/scenes/%-screen): $(BUILD)/scenes/%-screen: $(call objects,$
 
 list-scenes:
 	@echo $(SCENES)
-.PHONY: elf elves uf2 list-scenes
+list-bake:
+	@echo '$(BAKE)'
+.PHONY: elf elves uf2 list-scenes list-bake

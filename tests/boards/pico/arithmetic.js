@@ -8,11 +8,11 @@
 'use strict';
 const fs = require('fs'), path = require('path');
 const { createRequire } = require('module');
-const { Chip, RAM } = require('./chip.js');
+const { Chip, MARKS, RAM } = require('./chip.js');
 
 const [client, code, start] = process.argv.slice(2);
 const chip = new Chip(createRequire(path.resolve(client, 'x.js'))('rp2040js'),
-                      new Uint8Array(1 << 18), 1);
+                      new Uint8Array(MARKS), 1);
 const core = chip.cores[0], STACK = RAM + 0x40000, HOME = RAM + 0x3f000, ROUNDS = 20000;
 const symbols = fs.readFileSync(0, 'utf8').split('\n').map(line => line.split(' '));
 const ENDS = [0, 1, 2, 0xffff, 0x10000, 0x7fffffff, 0x80000000, 0xfffe0001, 0xffffffff];

@@ -27,10 +27,13 @@ function crcOfStage2(bytes) {
     return crc >>> 0;
 }
 
+const MARKS = 1 << 21;
+const markIndex = address => address >>> 29 << 20 | address >>> 1 & 0xfffff;
+
 class Chip {
-    // `marks`: a byte for each halfword of RAM.  Where a core meets a byte n that is not 0,
-    // its cycles and instructions count as kind n - 1 of `kinds` from there on: core.spent,
-    // core.done.
+    // `marks`: a byte for each halfword of flash and RAM, at markIndex(address).  Where a
+    // core meets a byte n that is not 0, its cycles and instructions count as kind n - 1 of
+    // `kinds` from there on: core.spent, core.done; core.flashed: of these in flash.
     constructor(package_, marks, kinds) {
         const { RP2040, ConsoleLogger, LogLevel } = package_;
         this.rp2040 = new RP2040();
@@ -40,7 +43,8 @@ class Chip {
         for (const core of this.cores)
             Object.assign(core, { kind: 0, fifo: [], divider: {}, on: false,
                                   spent: new Float64Array(kinds),
-                                  done: new Float64Array(kinds) });
+                                  done: new Float64Array(kinds),
+                                  flashed: new Float64Array(kinds) });
         this.starting = 0;              // words of the start that core 1 has accepted
         this.ram32 = new Uint32Array(this.rp2040.sram.buffer);
         this.joinMemory();
@@ -177,12 +181,14 @@ class Chip {
 
     // Runs a core up to `until` cycles, or until it sleeps.
     runCore(core, until) {
-        const { marks } = this, { spent, done } = core;
+        const { marks } = this, { spent, done, flashed } = core;
         this.rp2040.core = core;
         while (core.cycles < until && !core.waiting) {
-            const mark = marks[core.PC - RAM >>> 1];
+            const at = core.PC, mark = marks[markIndex(at)];
             if (mark)
                 core.kind = mark - 1;
+            if (at < RAM)
+                flashed[core.kind]++;
             const from = core.cycles;
             core.executeInstruction();
             spent[core.kind] += core.cycles - from;
@@ -202,4 +208,4 @@ class Chip {
     }
 }
 
-module.exports = { Chip, RAM };
+module.exports = { Chip, MARKS, RAM, markIndex };

@@ -12,12 +12,13 @@
 //   frame 0060 crc32 9bd67c79
 //   cycles frame CORE0 CORE1 tiles CORE0 CORE1 tick CORE0 CORE1
 //   instructions ...
+//   flash ...                           instructions in flash
 //
 // then the deepest use of both stacks, and the text of the serial port.
 'use strict';
 const fs = require('fs'), path = require('path');
 const { createRequire } = require('module');
-const { Chip, RAM } = require('./chip.js');
+const { Chip, MARKS, markIndex } = require('./chip.js');
 const { Panel } = require('./panel.js');
 
 const [client, image] = process.argv.slice(2);
@@ -29,12 +30,12 @@ const BUTTONS = [2, 3, 4, 5, 6], DOWN = 3, MS = 1e6;
 const said = [];
 
 function readMarks() {
-    const marks = new Uint8Array(1 << 18);
+    const marks = new Uint8Array(MARKS);
     for (const line of fs.readFileSync(0, 'utf8').split('\n')) {
         const [address, , name] = line.split(' ');
         const kind = KINDS.indexOf((name || '').replace(/^count_(as_)?/, ''));
         if (kind >= 0)
-            marks[parseInt(address, 16) - RAM >>> 1] = kind + 1;
+            marks[markIndex(parseInt(address, 16))] = kind + 1;
     }
     return marks;
 }
@@ -52,11 +53,12 @@ function ask(line) {
 
 function report() {
     console.log(`frame ${String(frame).padStart(4, '0')} crc32 ${panel.crc()}`);
-    for (const [word, of] of [['cycles', 'spent'], ['instructions', 'done']])
+    for (const [word, of] of [['cycles', 'spent'], ['instructions', 'done'],
+                              ['flash', 'flashed']])
         console.log(word + KINDS.slice(1).map((kind, i) =>
             ` ${kind} ${chip.cores.map(core => core[of][i + 1]).join(' ')}`).join(''));
     for (const core of chip.cores)
-        core.spent.fill(0), core.done.fill(0);
+        core.spent.fill(0), core.done.fill(0), core.flashed.fill(0);
     frame++;
 }
 

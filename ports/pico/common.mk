@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# Files and scene options of both boards.
+# CPPFLAGS=-DPICO_PANEL=lcd_st7789 is for another panel of ports/lcd, -DPICO_CORES=1 draws by
+# one core.
+PICO_C  := $(addprefix ports/,$(addprefix pico/,start.c pico.c panel.c cores.c main.c) \
+               cortex-m/memory.c cortex-m/frame_crc.c lcd/lcd.c lcd/panels.c \
+               $(addprefix serial/,reply.c control.c control_set.c buttons.c) \
+               $(addprefix interact/,poke.c setting.c))
+# --with links the modules that command lines may switch on.  BAND=8 and BAND=8 STREAM=1 take
+# less RAM for lower tiles and for the grid's vertices, and more time.
+BAND    ?= 16
+STREAM  ?=
+BAKE    := --size 320x240 --format rgb565be --strip 64 --band $(BAND) $(if $(STREAM),--stream) \
+           --with lighting,diffuse,reflectance,glint,paddle
+# Functions that run in RAM.
+IN_RAM  := ports/pico/in_ram.txt
