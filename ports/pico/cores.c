@@ -3,8 +3,7 @@
  * the mailbox FIFOs, and spin locks.  After a send the other core is woken by an event. */
 #include "pico.h"
 
-#define FRCE_OFF    0x40010004u         /* power-on state machine: blocks kept in reset */
-#define PROC1       0x00010000u
+#define KEPT_OFF    (CHIP_POWER + 4)    /* blocks kept in reset */
 
 enum { CPUID = 0x000, FIFO_ST = 0x050, FIFO_WR = 0x054, FIFO_RD = 0x058,
        SPINLOCK0 = 0x100 };
@@ -67,11 +66,11 @@ void cores_start(void (*entry)(void))
         (uint32_t)(uintptr_t)start_stack_top(1), (uint32_t)(uintptr_t)entry,
     };
 
-    PICO_SET(FRCE_OFF) = PROC1;
-    while (!(PICO_AT(FRCE_OFF) & PROC1))
+    PICO_SET(KEPT_OFF) = CHIP_CORE1;
+    while (!(PICO_AT(KEPT_OFF) & CHIP_CORE1))
         ;
     empty_fifo();
-    PICO_CLEAR(FRCE_OFF) = PROC1;
+    PICO_CLEAR(KEPT_OFF) = CHIP_CORE1;
     cores_receive();
     for (uint32_t i = 0; i < sizeof words / sizeof *words; ) {
         if (!words[i]) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Wires of a panel: SPI0 at 33 MHz, a DMA channel for the bytes, and pins for D/C, chip
- * select, reset and the backlight.
+/* Wires of a panel: SPI0 at a quarter of the clock, a DMA channel for the bytes, and pins
+ * for D/C, chip select, reset and the backlight.
  *
  * The DMA ends before the last byte has left the SPI: a wait asks both.  Bytes that the
  * SPI receives are not read; the overrun has no effect on what it sends. */
@@ -9,29 +9,25 @@
 enum { PIN_CS = 17, PIN_CLOCK = 18, PIN_DATA = 19, PIN_DC = 20, PIN_RESET = 21,
        PIN_LIGHT = 22 };
 
-#define SPI(offset) PICO_AT(0x4003c000u + (offset))
+#define SPI(offset) PICO_AT(CHIP_SPI0 + (offset))
 enum { SPI_CR0 = 0x00, SPI_CR1 = 0x04, SPI_DR = 0x08, SPI_SR = 0x0c, SPI_CPSR = 0x10,
        SPI_DMACR = 0x24 };
 enum { SPI_ROOM = 0x02, SPI_BUSY = 0x10 };
 
 #define DMA(offset) PICO_AT(0x50000000u + (offset))
-enum { DMA_READ = 0x00, DMA_WRITE = 0x04, DMA_COUNT = 0x08, DMA_CTRL = 0x0c,
-       DMA_ABORT = 0x444 };
-#define DMA_BUSY  0x01000000u
-/* Bytes, from increasing addresses, when SPI0 has room (request 16); no chain. */
-#define DMA_BYTES (16u << 15 | 1u << 4 | 1u)
+enum { DMA_READ = 0x00, DMA_WRITE = 0x04, DMA_COUNT = 0x08, DMA_CTRL = 0x0c };
 
 enum { TIMEOUT_US = 100000 };           /* a tile takes less than a millisecond */
 
 static void put_pin(uint32_t pin, bool high)
 {
-    PICO_SIO(high ? 0x14 : 0x18) = 1u << pin;
+    PICO_SIO(high ? CHIP_PIN_HIGH : CHIP_PIN_LOW) = 1u << pin;
 }
 
 static void open_pin(uint32_t pin, bool high)
 {
     put_pin(pin, high);
-    PICO_SIO(0x24) = 1u << pin;         /* output */
+    PICO_SIO(CHIP_PIN_OUT) = 1u << pin;
     pico_pin(pin, PICO_PIN_OUT);
 }
 
@@ -44,7 +40,7 @@ void panel_open(void)
     pico_pin(PIN_CLOCK, PICO_PIN_SPI);
     pico_pin(PIN_DATA, PICO_PIN_SPI);
     SPI(SPI_CPSR) = 2;
-    SPI(SPI_CR0) = 1u << 8 | 7;         /* 133 MHz / (2 (1 + 1)); 8 bits, mode 0 */
+    SPI(SPI_CR0) = 1u << 8 | 7;         /* CHIP_HZ / (2 (1 + 1)); 8 bits, mode 0 */
     SPI(SPI_DMACR) = 2;                 /* requests of the transmit side */
     SPI(SPI_CR1) = 2;                   /* on */
     put_pin(PIN_RESET, false);
@@ -68,10 +64,10 @@ void panel_data(void *unused, const uint8_t *bytes, size_t count)
     (void)unused;
     put_pin(PIN_DC, true);
     DMA(DMA_READ) = (uint32_t)(uintptr_t)bytes;
-    DMA(DMA_WRITE) = 0x4003c000u + SPI_DR;
+    DMA(DMA_WRITE) = CHIP_SPI0 + SPI_DR;
     DMA(DMA_COUNT) = (uint32_t)count;
     __asm__ volatile("dmb" ::: "memory");
-    DMA(DMA_CTRL) = DMA_BYTES;
+    DMA(DMA_CTRL) = CHIP_DMA_TO_SPI0;
 }
 
 bool panel_wait(void *unused, lcd_until until)
@@ -79,10 +75,10 @@ bool panel_wait(void *unused, lcd_until until)
     const uint32_t from = pico_us();
 
     (void)unused, (void)until;
-    while (DMA(DMA_CTRL) & DMA_BUSY || SPI(SPI_SR) & SPI_BUSY)
+    while (DMA(DMA_CTRL) & CHIP_DMA_BUSY || SPI(SPI_SR) & SPI_BUSY)
         if (pico_us() - from > TIMEOUT_US) {
-            DMA(DMA_ABORT) = 1;
-            while (DMA(DMA_ABORT))
+            DMA(CHIP_DMA_ABORT) = 1;
+            while (DMA(CHIP_DMA_ABORT))
                 ;
             return false;
         }

@@ -1,81 +1,85 @@
 /* SPDX-License-Identifier: MIT */
-/* Registers of the RP2040: clocks, resets, pins, serial port and buttons.
+/* Registers of the RP2040 and RP2350: clocks, resets, pins, serial port and buttons.
  *
  * An interrupt of core 0 stores received bytes in a ring while a picture is drawn.  While
  * the ring is full the interrupt is masked: a sender that continues loses bytes. */
 #include "pico.h"
 
-#define RESETS      0x4000c000u         /* +8: done */
-enum { RESET_DMA = 1 << 2, RESET_IO = 1 << 5, RESET_PADS = 1 << 8, RESET_PLL = 1 << 12,
-       RESET_SPI0 = 1 << 16, RESET_TIMER = 1 << 21, RESET_UART0 = 1 << 22 };
-#define USED (RESET_DMA | RESET_IO | RESET_PADS | RESET_SPI0 | RESET_TIMER | RESET_UART0)
+#define USED (CHIP_RESET_DMA | CHIP_RESET_PINS | CHIP_RESET_PADS | CHIP_RESET_SPI0 \
+              | CHIP_RESET_TIMER | CHIP_RESET_UART0)
 
-#define CLK_REF_CTRL PICO_AT(0x40008030u)
-#define CLK_REF_SELECTED PICO_AT(0x40008038u)
-#define CLK_SYS_CTRL PICO_AT(0x4000803cu)
-#define CLK_SYS_SELECTED PICO_AT(0x40008044u)
-#define CLK_PERI_CTRL PICO_AT(0x40008048u)
-#define XOSC(offset) PICO_AT(0x40024000u + (offset))
-#define PLL(offset)  PICO_AT(0x40028000u + (offset))
+#define CLOCK(offset) PICO_AT(CHIP_CLOCKS + (offset))
+enum { REF_CTRL = 0x30, REF_SELECTED = 0x38, SYS_CTRL = 0x3c, SYS_SELECTED = 0x44,
+       PERI_CTRL = 0x48 };
+#define XOSC(offset) PICO_AT(CHIP_XOSC + (offset))
+#define PLL(offset)  PICO_AT(CHIP_PLL + (offset))
 enum { PLL_CS = 0, PLL_PWR = 4, PLL_FBDIV = 8, PLL_PRIM = 12 };
-#define WATCHDOG_TICK PICO_AT(0x4005802cu)
-#define TIMERAWL      PICO_AT(0x40054028u)
-#define STABLE        0x80000000u       /* XOSC status; PLL: locked */
+#define STABLE       0x80000000u        /* XOSC status; PLL: locked */
 
-#define UART(offset) PICO_AT(0x40034000u + (offset))
+#define UART(offset) PICO_AT(CHIP_UART0 + (offset))
 enum { UART_DR = 0x00, UART_FR = 0x18, UART_IBRD = 0x24, UART_FBRD = 0x28,
        UART_LCR = 0x2c, UART_CR = 0x30, UART_IMSC = 0x38, UART_ICR = 0x44 };
-enum { UART_EMPTY = 0x10, UART_FULL = 0x20, UART_RX = 0x50, UART_IRQ = 20 };
+enum { UART_EMPTY = 0x10, UART_FULL = 0x20, UART_RX = 0x50, UART_BAUD = 115200 };
 
+enum { PAD = 0x56, PAD_PULL_UP = 0x5a };        /* input, 4 mA, hysteresis, a pull */
 enum { PIN_TX = 0, PIN_RX = 1, PIN_BUTTONS = 2, BUTTONS = 5 };
 
 /* -- clocks and resets --------------------------------------------------------------- */
 
 static void release_resets(uint32_t blocks)
 {
-    PICO_CLEAR(RESETS) = blocks;
-    while (~PICO_AT(RESETS + 8) & blocks)
+    PICO_CLEAR(CHIP_RESETS) = blocks;
+    while (~PICO_AT(CHIP_RESETS + 8) & blocks)
         ;
 }
 
-/* 12 MHz from the crystal, 1596 MHz in the PLL, 133 MHz for processors and peripherals.
- * The system's clock leaves the PLL first, in case a debugger started us again. */
+/* 12 MHz from the crystal, CHIP_HZ from the PLL for processors and peripherals.  The
+ * system's clock first leaves its other source, which may change only then: the ring
+ * oscillator, or the PLL if a debugger started us again. */
 static void open_clocks(void)
 {
-    CLK_SYS_CTRL = 0;
-    while (CLK_SYS_SELECTED != 1)
+    PICO_CLEAR(CHIP_CLOCKS + SYS_CTRL) = 1;
+    while (CLOCK(SYS_SELECTED) != 1)
         ;
     XOSC(0x0c) = 47;                    /* 1 ms in units of 256 clocks */
     XOSC(0x00) = 0xfabaa0;              /* on, 1 to 15 MHz */
     while (!(XOSC(0x04) & STABLE))
         ;
-    CLK_REF_CTRL = 2;                   /* the crystal */
-    while (CLK_REF_SELECTED != 1u << 2)
+    CLOCK(REF_CTRL) = 2;                /* the crystal */
+    while (CLOCK(REF_SELECTED) != 1u << 2)
         ;
-    PICO_SET(RESETS) = RESET_PLL;
-    release_resets(RESET_PLL);
+    PICO_SET(CHIP_RESETS) = CHIP_RESET_PLL;
+    release_resets(CHIP_RESET_PLL);
     PLL(PLL_CS) = 1;                    /* crystal / 1 */
-    PLL(PLL_FBDIV) = 133;
+    PLL(PLL_FBDIV) = CHIP_PLL_TIMES;
     PLL(PLL_PWR) = 0x08;                /* all on but the dividers behind */
     while (!(PLL(PLL_CS) & STABLE))
         ;
-    PLL(PLL_PRIM) = 6u << 16 | 2u << 12;
+    PLL(PLL_PRIM) = CHIP_PLL_BY << 16 | CHIP_PLL_BY_2 << 12;
     PLL(PLL_PWR) = 0;
-    CLK_SYS_CTRL = 1;                   /* PLL_SYS */
-    while (CLK_SYS_SELECTED != 2)
+    CLOCK(SYS_CTRL) = 0;                /* its other source is the PLL */
+    CLOCK(SYS_CTRL) = 1;
+    while (CLOCK(SYS_SELECTED) != 2)
         ;
-    CLK_PERI_CTRL = 1u << 11;           /* on, the system's clock */
-    WATCHDOG_TICK = 1u << 9 | 12;       /* on: the timer counts microseconds */
+    CLOCK(PERI_CTRL) = 1u << 11;        /* on, the system's clock */
+    chip_start_timer();
 }
 
 uint32_t pico_us(void)
 {
-    return TIMERAWL;
+    return PICO_AT(CHIP_TIMER + 0x28);  /* the lower word, unlatched */
+}
+
+/* Sets a pin's function, then its pad, which the RP2350 isolates after a reset. */
+static void set_pin(uint32_t pin, uint32_t function, uint32_t pad)
+{
+    PICO_AT(CHIP_PINS + 8 * pin + 4) = function;
+    PICO_AT(CHIP_PADS + 4 * pin + 4) = pad;
 }
 
 void pico_pin(uint32_t pin, uint32_t function)
 {
-    PICO_AT(0x40014004u + 8 * pin) = function;
+    set_pin(pin, function, PAD);
 }
 
 /* -- serial port --------------------------------------------------------------------- */
@@ -113,14 +117,17 @@ bool pico_byte(uint8_t *byte)
 
 static void open_serial(void)
 {
+    /* CHIP_HZ / (16 UART_BAUD), in 1/64 */
+    const uint32_t divisor = (4u * CHIP_HZ + UART_BAUD / 2) / UART_BAUD;
+
     pico_pin(PIN_TX, PICO_PIN_UART);
     pico_pin(PIN_RX, PICO_PIN_UART);
-    UART(UART_IBRD) = 72;               /* 133 MHz / (16 * 115200) = 72 + 10/64 */
-    UART(UART_FBRD) = 10;
+    UART(UART_IBRD) = divisor / 64;
+    UART(UART_FBRD) = divisor % 64;
     UART(UART_LCR) = 0x70;              /* 8 bits, no parity, FIFOs on */
     UART(UART_CR) = 0x301;
     UART(UART_IMSC) = UART_RX;
-    PICO_AT(0xe000e100u) = 1u << UART_IRQ;
+    PICO_AT(0xe000e100u + CHIP_IRQ_UART0 / 32 * 4) = 1u << CHIP_IRQ_UART0 % 32;
 }
 
 void pico_text(void *unused, const char *text)
@@ -148,8 +155,7 @@ void pico_number(uint32_t n, uint32_t base, int least_digits)
 static void open_buttons(void)
 {
     for (uint32_t pin = PIN_BUTTONS; pin < PIN_BUTTONS + BUTTONS; pin++) {
-        PICO_AT(0x4001c004u + 4 * pin) = 0x4a;  /* input, pull-up, hysteresis */
-        pico_pin(pin, PICO_PIN_IN);
+        set_pin(pin, PICO_PIN_IN, PAD_PULL_UP);
     }
 }
 
@@ -162,7 +168,7 @@ uint32_t pico_buttons(void)
 void pico_open(void)
 {
     open_clocks();
-    PICO_SET(RESETS) = USED;
+    PICO_SET(CHIP_RESETS) = USED;
     release_resets(USED);
     open_serial();
     open_buttons();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Drivers of the Raspberry Pi Pico: start-up, clocks, serial port, buttons, the wires of a
- * panel, and the second core. */
+/* Drivers of the Raspberry Pi Pico and Pico 2: start-up, clocks, serial port, buttons, the
+ * wires of a panel, and the second core. */
 #ifndef TP_PICO_PICO_H
 #define TP_PICO_PICO_H
 #include <stdbool.h>
@@ -14,6 +14,12 @@
 #define PICO_CLEAR(address) PICO_AT((address) + 0x3000u)
 #define PICO_SIO(offset) PICO_AT(0xd0000000u + (offset))
 
+#if __ARM_ARCH >= 8
+#include "rp2350.h"
+#else
+#include "rp2040.h"
+#endif
+
 /* -- start.c and the linker script --------------------------------------------------- */
 
 extern uint8_t arena_start[], arena_end[];      /* all remaining memory, aligned to 8 */
@@ -26,7 +32,7 @@ uint32_t    start_stack_used(uint32_t core);    /* deepest use so far, bytes */
 
 enum { PICO_PIN_IN = 5, PICO_PIN_OUT = 5, PICO_PIN_SPI = 1, PICO_PIN_UART = 2 };
 
-void     pico_open(void);                       /* 133 MHz for processors and peripherals */
+void     pico_open(void);                       /* starts clocks, timer, pins and port */
 uint32_t pico_us(void);                         /* a clock, us; wraps after 71 minutes */
 void     pico_pin(uint32_t pin, uint32_t function);
 

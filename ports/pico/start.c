@@ -51,17 +51,17 @@ __attribute__((naked)) void fault(void)
 
 /* -- vector table -------------------------------------------------------------------- */
 
-/* Initial stack, reset, NMI, hard fault, seven reserved, SVC, two reserved, PendSV,
- * SysTick; then 26 interrupts, number 20 is UART0. */
-enum { IRQ = 16, IRQ_UART0 = 20, IRQS = 26 };
+/* Initial stack, reset, NMI, hard fault, seven that stay off, SVC, two more, PendSV,
+ * SysTick; then interrupts. */
+enum { IRQ = 16 };
 
 typedef union { uint32_t *stack; void (*handler)(void); } vector;
 
-extern const vector vectors[IRQ + IRQS];
-__attribute__((section(".vectors"), used)) const vector vectors[IRQ + IRQS] = {
+extern const vector vectors[IRQ + CHIP_IRQS];
+__attribute__((section(".vectors"), used)) const vector vectors[IRQ + CHIP_IRQS] = {
     { .stack = stack0_top }, { .handler = reset }, { .handler = fault },
     { .handler = fault }, [11] = { .handler = fault }, [14] = { .handler = fault },
-    [15] = { .handler = fault }, [IRQ + IRQ_UART0] = { .handler = pico_receive },
+    [15] = { .handler = fault }, [IRQ + CHIP_IRQ_UART0] = { .handler = pico_receive },
 };
 
 const void *start_vectors(void)

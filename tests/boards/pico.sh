@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # A Raspberry Pi Pico, emulated by the npm package rp2040js: the boot ROM accepts the image,
-# both cores draw, and the panel shows the host's pictures.  The project for the Pico SDK
-# is compiled against stand-ins.
+# both cores draw, and the panel shows the host's pictures.  An image for a Pico 2 is what
+# its boot ROM needs.  The project for the Pico SDK is compiled against stand-ins; with
+# PICO_SDK_PATH set, registers are compared with that SDK's headers.
 #
 #   tests/boards/pico.sh [PROGRAM]
 . "$(dirname "$0")/../lib/script.sh"
@@ -42,6 +43,8 @@ lacks arm-none-eabi-gcc gcc-arm-none-eabi "the Raspberry Pi Pico" && { finish; e
 check "the program builds, as UF2 too" alone build -s BOARD=pico SCENE=$scene elf uf2
 [ "$failed" = 0 ] || { finish; exit; }
 
+check "so does the program for a Pico 2" \
+    alone build -s BOARD=pico/pico2 SCENE=$scene elf uf2
 other_build()   # OPTION: main.c with another panel or number of cores
 {
     arm-none-eabi-gcc -std=c11 -mcpu=cortex-m0plus -mthumb -ffreestanding -Wall -Wextra \
@@ -61,19 +64,57 @@ if ! cmp -s $here/package-lock.json $client/package-lock.json ||
         --ignore-scripts --no-update-notifier --cache "$scratch/npm"
 fi
 
-uf2_holds()     # the blocks of the UF2 file hold the image
+uf2_holds()     # UF2 IMAGE FAMILY: the blocks of the file hold the image
 {
     node -e '
-const fs = require("fs"), [uf2, image] = process.argv.slice(1).map(f => fs.readFileSync(f));
+const fs = require("fs"), family = parseInt(process.argv[3], 16);
+const [uf2, image] = process.argv.slice(1, 3).map(f => fs.readFileSync(f));
 const pages = [];
 for (let at = 0; at < uf2.length; at += 512)
     if (uf2.readUInt32LE(at) === 0x0a324655 && uf2.readUInt32LE(at + 508) === 0x0ab16f30
-            && uf2.readUInt32LE(at + 12) === 0x10000000 + at / 2)
+            && uf2.readUInt32LE(at + 12) === 0x10000000 + at / 2
+            && uf2.readUInt32LE(at + 28) === family)
         pages.push(uf2.subarray(at + 32, at + 288));
-process.exit(Buffer.concat(pages).equals(image) ? 0 : 1);' "$1" "$2"
+process.exit(Buffer.concat(pages).equals(image) ? 0 : 1);' "$1" "$2" "$3"
 }
-check "the UF2 file holds the image" uf2_holds "$image.uf2" "$image.bin"
-refuse "not another file" uf2_holds "$image.uf2" "$image.elf"
+check "the UF2 file holds the image" uf2_holds "$image.uf2" "$image.bin" e48bff56
+refuse "not another file" uf2_holds "$image.uf2" "$image.elf" e48bff56
+
+# -- Pico 2 ----------------------------------------------------------------------------
+
+image2=build/pico2/scenes/$scene
+starts_here()   # IMAGE: what the boot ROM of an RP2350 needs
+{
+    node $here/image_def.js "$1"
+}
+altered()       # BYTE: the image with another byte there
+{
+    { head -c "$1" "$image2.bin"; printf '\377'; tail -c +$(($1 + 2)) "$image2.bin"; } \
+        >"$scratch/altered.bin"
+    starts_here "$scratch/altered.bin"
+}
+check "Pico 2: the UF2 file holds the image" uf2_holds "$image2.uf2" "$image2.bin" e48bff59
+refuse "for no Pico" uf2_holds "$image2.uf2" "$image2.bin" e48bff56
+check "Pico 2: block, stack and entry are right" starts_here "$image2.bin"
+block=$(sed -n 's/^block at \([0-9]*\),.*/\1/p' "$scratch/output")
+refuse "with another type of image" altered $((block + 6))
+refuse "with another last word" altered $((block + 16))
+refuse "with another entry" altered 7
+refuse "the image of a Pico" starts_here "$image.bin"
+
+# -- registers -------------------------------------------------------------------------
+
+same_registers()        # CHIP [OPTION]: as the headers of the Pico SDK define them
+{
+    cc -std=c11 -Wall -Wextra -Werror -Iports \
+        -I"$PICO_SDK_PATH/src/$1/hardware_regs/include" ${2:-} \
+        -fsyntax-only $here/registers.c
+}
+if [ -d "${PICO_SDK_PATH:-}/src/rp2350" ]; then
+    check "registers of an RP2040" same_registers rp2040
+    check "registers of an RP2350" same_registers rp2350 -DRP2350
+    refuse "not one for the other" same_registers rp2350
+fi
 
 # -- frames ----------------------------------------------------------------------------
 
@@ -119,6 +160,18 @@ both_draw()     # each core draws two fifths of the tiles' work at least
     awk '$1 == "instructions" && ($6 < 0.4 * ($6 + $7) || $7 < 0.4 * ($6 + $7)) { bad = 1 }
         $1 == "instructions" { n++ } END { exit bad || n != 3 }' "$scratch/said"
 }
+flash_rests()   # PERCENT: of the instructions, at most, are those of functions in flash
+{
+    awk -v percent="$1" '
+        $1 == "instructions" || $1 == "flash" {
+            for (i = 3; i <= NF; i++) if (i % 3 != 2) sum[$1] += $i
+        }
+        END {
+            all = sum["instructions"]
+            exit !(all && 100 * sum["flash"] < percent * all)
+        }
+    ' "$scratch/said"
+}
 stacks_hold()   # with room for an exception's frame
 {
     awk '$1 == "stack" && ($3 == 0 || $3 > 4096 - 256) { bad = 1 }
@@ -138,6 +191,8 @@ check "a button and a line change frame 62 as on the host" \
 refuse "without the line it is another picture" changed_is
 check "one core draws the same" state_is
 check "both cores draw" both_draw
+check "99 of 100 instructions run in RAM" flash_rests 1
+refuse "but not 999 of 1000" flash_rests 0.1
 check "the stacks stay in their banks" stacks_hold
 check "the serial port answers" answers
 check "the panel is turned, rows from its long side" grep -q '^panel walk 28' "$scratch/said"
