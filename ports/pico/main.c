@@ -191,6 +191,7 @@ static void draw_tiles(void)
 /* Core 1: draws when core 0 sends a word, and answers when no tile is left. */
 static void help(void)
 {
+    start_guard_stack();
     for (;;) {
         const uint32_t word = cores_receive();
         draw_tiles();
@@ -265,11 +266,20 @@ static bool make_ticks(void)
     return made;
 }
 
+static void check_stacks(void)
+{
+    for (uint32_t core = 0; core < CORES; core++)
+        if (!start_stack_holds(core))
+            halt_with_error(core ? "the stack of core 1 overflowed"
+                                 : "the stack of core 0 overflowed");
+}
+
 int main(void)
 {
     static control_setup setup;
     uint8_t byte;
 
+    start_guard_stack();
     pico_open();
     open_scene();
     open_panel();
@@ -287,6 +297,7 @@ int main(void)
     pico_text(NULL, "\n");
     lines.changed = true;
     for (;;) {
+        check_stacks();
         while (control_reads(&lines) && pico_byte(&byte))
             control_byte(&lines, byte);
         buttons_read(&pressed, pico_buttons(), world, &scene, &lines.input);

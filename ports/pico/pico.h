@@ -27,6 +27,8 @@ extern uint8_t arena_start[], arena_end[];      /* all remaining memory, aligned
 const void *start_vectors(void);                /* vector table of both cores */
 uint32_t   *start_stack_top(uint32_t core);
 uint32_t    start_stack_used(uint32_t core);    /* deepest use so far, bytes */
+bool        start_stack_holds(uint32_t core);   /* false: it has overflowed, or nearly so */
+void        start_guard_stack(void);            /* of this core: an overflow is a fault */
 
 /* -- pico.c: clocks, pins, serial port, buttons --------------------------------------- */
 

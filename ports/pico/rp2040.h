@@ -37,4 +37,10 @@ static inline void chip_start_timer(void)
 {
     PICO_AT(CHIP_TICK) = 1u << 9 | 12;
 }
+
+/* A Cortex-M0+ has no limit of the stack. */
+static inline void chip_limit_stack(const uint32_t *low)
+{
+    (void)low;
+}
 #endif

@@ -34,4 +34,10 @@ static inline void chip_start_timer(void)
     PICO_AT(CHIP_TICK + 4) = 12;        /* clocks of a tick */
     PICO_AT(CHIP_TICK) = 1;
 }
+
+/* A stack pointer below `low` is a fault; its exception is entered without a frame. */
+static inline void chip_limit_stack(const uint32_t *low)
+{
+    __asm__ volatile("msr msplim, %0" ::"r"(low));
+}
 #endif

@@ -11,6 +11,7 @@ int main(void);
 void reset(void);
 
 #define PAINT 0xa5a5a5a5u
+enum { GUARD = 16 };            /* words */
 
 /* Keeps a function in flash, its loops from becoming calls of memcpy, which is not in RAM
  * yet. */
@@ -99,6 +100,21 @@ uint32_t start_stack_used(uint32_t core)
     while (word < top && *word == PAINT)
         word++;
     return (uint32_t)((uintptr_t)top - (uintptr_t)word);
+}
+
+/* The lowest words keep their pattern: the guard of a chip without a limit of the stack. */
+bool start_stack_holds(uint32_t core)
+{
+    const uint32_t *const low = core ? stack1_low : stack0_low;
+    for (int i = 0; i < GUARD; i++)
+        if (low[i] != PAINT)
+            return false;
+    return true;
+}
+
+void start_guard_stack(void)
+{
+    chip_limit_stack(pico_core() ? stack1_low : stack0_low);
 }
 
 uint32_t *start_stack_top(uint32_t core)

@@ -8,6 +8,14 @@ $(BUILD)/tests/boards/sent: $(filter %/clear.o %/lcd.o %/panels.o %/turn.o,$(LCD
 $(BUILD)/tests/boards/vm_state: $(BUILD)/tests/boards/vm_state.o
 	$(SAY)$(LINK) -static $^ -o $@
 
+# A Pico with the other panel.
+$(BUILD)/st7789/main.o: ports/pico/main.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY)$(COMPILE) $(SMALL) $(HOSTED) -DPICO_PANEL=lcd_st7789 -c $< -o $@
+$(BUILD)/st7789/%.elf: $(BUILD)/st7789/main.o $(BUILD)/baked/%.o $(BOARD_REST) \
+          $(BUILD)/in_ram/%/in_ram.ld
+	$(SAY)$(LINK_ELF)
+
 # A board whose program fails, each in another way.
 FAULTS  := $(addprefix $(BUILD)/faults/,address instruction stack ram)
 $(FAULTS:%=%.o): $(BUILD)/faults/%.o: tests/boards/faults.c $(BUILD)/flags

@@ -3,11 +3,11 @@
 // of a picture, with the checksum of `tidepool render --format rgb565be --hash`.
 'use strict';
 
-const CASET = 0x2a, PASET = 0x2b, RAMWR = 0x2c, MADCTL = 0x36, DISPON = 0x29;
+const CASET = 0x2a, PASET = 0x2b, RAMWR = 0x2c, MADCTL = 0x36, DISPON = 0x29, INVON = 0x21;
 
 class Panel {
     constructor(width, height) {
-        Object.assign(this, { width, height, walk: 0, isOn: false, bytes: 0, pixels: 0 });
+        Object.assign(this, { width, height, walk: 0, isOn: false, isInverted: false, bytes: 0, pixels: 0 });
         this.picture = new Uint16Array(width * height);
         this.command = 0;
         this.arguments = [];
@@ -33,6 +33,8 @@ class Panel {
         [this.x, this.y] = [this.columns[0], this.rows[0]];
         if (command === DISPON)
             this.isOn = true;
+        if (command === INVON)
+            this.isInverted = true;
     }
 
     argument(byte) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Runs a program of ports/pico in rp2040js and reads the pictures from the panel's wires:
 //
-//   node tests/boards/pico/run.js CLIENT IMAGE <MARKS
+//   node tests/boards/pico/run.js CLIENT IMAGE [PICTURES] <MARKS
 //
 // CLIENT holds node_modules; IMAGE is the flash's content; a line of MARKS is an address
 // and the name of a function, as nm writes them: count_as_frame, count_as_tiles,
 // count_as_tick and count_end separate kinds of work.  Pauses the water at tick 0, makes
 // 60 ticks, then another, presses a button and sets the light for a third, asks for the
-// state, and prints for each picture
+// state, overwrites the lowest word of core 1's stack, and prints for each picture, or for
+// the first PICTURES
 //
 //   frame 0060 crc32 9bd67c79
 //   cycles frame CORE0 CORE1 tiles CORE0 CORE1 tick CORE0 CORE1
@@ -21,7 +22,7 @@ const { createRequire } = require('module');
 const { Chip, MARKS, markIndex } = require('./chip.js');
 const { Panel } = require('./panel.js');
 
-const [client, image] = process.argv.slice(2);
+const [client, image, pictures] = process.argv.slice(2);
 const package_ = createRequire(path.resolve(client, 'x.js'))('rp2040js');
 const KINDS = ['end', 'frame', 'tiles', 'tick'];
 const PIN_DC = 1 << 20, STACKS = [0x41000, 0x40000], PAINT = 0xa5a5a5a5;
@@ -44,7 +45,7 @@ const chip = new Chip(package_, readMarks(), KINDS.length);
 const panel = new Panel(320, 240);
 const after = (ms, act) => chip.rp2040.clock.createAlarm(act).schedule(ms * MS);
 const press = (pin, isDown) => chip.rp2040.gpio[pin].setInputValue(!isDown);
-let frame = 60, text = '', isAsked = false;
+let frame = 60, text = '', isAsked = false, isEnded = false;
 
 function ask(line) {
     for (const byte of Buffer.from(line))
@@ -84,7 +85,10 @@ const steps = [
 ];
 panel.onPicture = () => {
     report();
-    steps.shift()();
+    if (frame - 60 < (pictures || Infinity))
+        steps.shift()();
+    else
+        isEnded = true;
 };
 for (const pin of BUTTONS)
     press(pin, false);
@@ -93,12 +97,18 @@ if (!chip.boot(fs.readFileSync(image))) {
     console.log(`the boot ROM refuses stage 2: its CRC is ${chip.crc.toString(16)}`);
     process.exit(1);
 }
-while (chip.cores[0].cycles < LIMIT && !/fault|error|crc32/.test(said.at(-1)))
-    chip.run();
+const runUntil = words => {
+    while (chip.cores[0].cycles < LIMIT && !isEnded && !words.test(said.at(-1)))
+        chip.run();
+};
+runUntil(/fault|error|crc32/);
 for (const [core, low] of STACKS.entries()) {
     const words = chip.ram32.subarray(low >> 2, (low >> 2) + 1024);
     const left = words.findIndex(word => word !== PAINT);
     console.log(`stack ${core} ${left < 0 ? 0 : 4 * (words.length - left)}`);
 }
-console.log(`panel walk ${panel.walk.toString(16)} bytes ${panel.bytes}`);
+console.log(`panel walk ${panel.walk.toString(16)}`,
+            panel.isInverted ? 'inverted' : 'plain', `bytes ${panel.bytes}`);
+chip.ram32[STACKS[1] >> 2] = 0;
+runUntil(/fault|error/);
 console.log(said.join('') + text);
