@@ -141,7 +141,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/host/%.sh,screen view panel view_keys leaks) \
 	    tests/web/web.sh tests/bench/views.sh tests/cross/film.sh tests/accuracy/errors.sh \
 	    tests/accuracy/rungs.sh \
-	    $(patsubst %,tests/boards/%.sh,rpi oled control pico linuxfb kms new_board) \
+	    $(patsubst %,tests/boards/%.sh,rpi oled control pico linuxfb kms new_board division) \
 	    tests/budgets/prices.sh \
 	    $(call at_san,$(filter $(LONG),$(SAN_UNIT)) $(filter-out $(LONG),$(SAN_UNIT))) \
 	    $(filter-out $(SAN_UNIT) $(SLOW) $(SOAKED) $(QUICK),$(UNIT)) $(call at_san,$(GOLDEN)) \

@@ -99,6 +99,19 @@ static inline int tp_clz_in_steps(uint32_t x)
 tp_fx  tp_fx_div(tp_fx a, tp_fx b);     /* rounded half up; saturates; x/0 by sign of x */
 tp_fx  tp_fx_sqrt(tp_fx x);             /* nearest; 0 for x <= 0 */
 tp_fx  tp_fx_rsqrt(tp_fx x);            /* 1/sqrt(x) within 1 LSB; saturates for x <= 0 */
+/* Returns n / d as C's operator does, by shifts: 8 to 15 instructions a bit of the result.
+ * n and d above INT64_MIN, d != 0.  tp_quotient is for the few divisions of a tick or a
+ * picture: without others, a program for 32 bits links no library's division. */
+int64_t tp_quotient_by_shifts(int64_t n, int64_t d);
+static inline int64_t tp_quotient(int64_t n, int64_t d)
+{
+#if UINTPTR_MAX > UINT32_MAX
+    return n / d;
+#else
+    return tp_quotient_by_shifts(n, d);
+#endif
+}
+
 tp_fx  tp_fx_recip(tp_fx x);            /* 1/x rounded half up; saturates; 0: max */
 uint32_t tp_isqrt64(uint64_t x);        /* floor of the root, exact */
 

@@ -106,9 +106,31 @@ tp_fx tp_fx_rsqrt(tp_fx x)
 
 /* -- division ------------------------------------------------------------------------ */
 
-/* Division in 16.16, exact and rounded half up.  The 64-bit division is a library call of
- * some hundred cycles on a Cortex-M: use these functions in set-up code, never per
- * pixel. */
+/* Returns left / by; left is below 2^63, so that no bit of `by` is lost. */
+TP_NEVER_INLINE uint64_t divide(uint64_t left, uint64_t by)
+{
+    uint64_t q = 0, bit = 1;
+
+    for (; by < left; by <<= 1)
+        bit <<= 1;
+    for (; bit > 0; bit >>= 1, by >>= 1)
+        if (left >= by) {
+            left -= by;
+            q |= bit;
+        }
+    return q;
+}
+
+int64_t tp_quotient_by_shifts(int64_t n, int64_t d)
+{
+    TP_ASSERT(d != 0 && n > INT64_MIN && d > INT64_MIN);
+    const int64_t q = (int64_t)divide((uint64_t)(n < 0 ? -n : n), (uint64_t)(d < 0 ? -d : d));
+
+    return (n < 0) != (d < 0) ? -q : q;
+}
+
+/* Division in 16.16, exact and rounded half up, some hundred cycles on a Cortex-M: use these
+ * functions in set-up code, never per pixel. */
 
 /* Returns floor(n / d + 1/2), saturated to the range of tp_fx; |n| <= 2^47, d != 0. */
 static tp_fx saturated_quotient(int64_t n, int64_t d)
@@ -116,8 +138,8 @@ static tp_fx saturated_quotient(int64_t n, int64_t d)
     TP_ASSERT(d != 0);
     TP_ASSERT(n >= -((int64_t)1 << 47) && n <= (int64_t)1 << 47);
     const int64_t twice = 2 * n + d, whole = 2 * d;
-    int64_t q = twice / whole;
-    if (twice % whole != 0 && (twice < 0) != (whole < 0))
+    int64_t q = tp_quotient(twice, whole);
+    if (q * whole != twice && (twice < 0) != (whole < 0))
         q--;                            /* C rounds towards 0; floor rounds down */
     return tp_fx_saturate(q);
 }

@@ -65,7 +65,7 @@ void tp_view_set_shade(tp_frame *frame, const tp_projection *projection)
     shade->u0 = projection->u0;
     shade->v0 = projection->v0;
     shade->focal = projection->focal >> 12;
-    shade->per_focal = (uint32_t)(((uint64_t)1 << 32) / (uint32_t)shade->focal);
+    shade->per_focal = (uint32_t)tp_quotient((int64_t)1 << 32, shade->focal);
     shade->zi_log = tp_log2_q8((uint32_t)projection->zi_near) + 15 * 256
                     + tp_log2_q8((uint32_t)frame->projection.focal)
                     - tp_log2_q8((uint32_t)projection->focal);

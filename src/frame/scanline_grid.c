@@ -100,7 +100,7 @@ static bool are_lines_ordered_in_view(const tp_frame *frame)
         const int64_t across = -ray.across, along = -ray.along;
         if (across < TP_FX_ONE || (along < 0 ? -along : along) >= WIDEST_T * across)
             return false;
-        if (!is_line_order_kept(frame, (tp_fx)(along * TP_FX_ONE / across)))
+        if (!is_line_order_kept(frame, (tp_fx)tp_quotient(along * TP_FX_ONE, across)))
             return false;
     }
     return true;

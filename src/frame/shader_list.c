@@ -127,7 +127,8 @@ void tp_marks_assign_list(tp_marks *marks, uint32_t list_index, uint32_t first_m
 /* Returns the drift in metres after `time`, ticks x 65536; 16.16, wrapping. */
 static uint32_t drift_distance(tp_fx metres_per_second, int64_t time)
 {
-    int64_t step = (int64_t)metres_per_second * ((int64_t)1 << 32) / TP_TICKS_PER_SECOND;
+    int64_t step =
+        tp_quotient((int64_t)metres_per_second * ((int64_t)1 << 32), TP_TICKS_PER_SECOND);
     uint64_t part = (uint64_t)(step >> 16) * (uint32_t)(time & 0xffff);
     return (uint32_t)(((uint64_t)step * (uint64_t)(time >> 16) + part) >> 32);
 }
@@ -150,7 +151,7 @@ int32_t tp_frame_lod(const tp_frame *frame, tp_fx texels_per_metre, bool level_g
 uint32_t tp_frame_repeats_per_metre(tp_fx size)
 {
     TP_ASSERT(size > 0);
-    return (uint32_t)((((uint64_t)1 << 32) + (uint32_t)size / 2) / (uint32_t)size);
+    return (uint32_t)tp_quotient(((int64_t)1 << 32) + size / 2, size);
 }
 
 /* Texels per metre of the longer side.  4096 texels on 0.1 m exceed 16.16 and saturate. */

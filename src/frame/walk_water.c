@@ -62,7 +62,8 @@ static int32_t first_line(const tp_frame *frame)
 {
     const tp_level *level = &frame->buffers.walk->level;
     const int64_t down = tp_level_evaluate(&level->down, 0, (int32_t)frame->config.height);
-    const int64_t below = down > 0 ? (down << 2) / (level->down.y >> 14) : 0;   /* 16.16 */
+    const int64_t below =                                               /* 16.16 */
+        down > 0 ? tp_quotient(down << 2, level->down.y >> 14) : 0;
     const tp_fx fall = tp_fx_div(tp_fx_saturate(below), frame->projection.focal);
     const int64_t rise = tp_surface_height_bound(&frame->surface)
                        + tp_fx_mul(tp_surface_displacement_bound(&frame->surface), fall);
@@ -70,7 +71,7 @@ static int32_t first_line(const tp_frame *frame)
 
     if (low < level->height / 4)
         return 0;
-    return ((int32_t)((below >> 16) * level->height / low) + 16) & ~7;
+    return ((int32_t)tp_quotient((below >> 16) * level->height, low) + 16) & ~7;
 }
 
 static uint32_t count_lines(int32_t below)

@@ -47,8 +47,8 @@ tp_fx tp_fan_row_detail_weight(const tp_fan *fan, const tp_fan_row *row)
     if (fan->detail == 0)
         return TP_FX_ONE;
     const int64_t share = TP_FX_ONE;
-    const int64_t along = row->along * share / fan->detail;
-    const int64_t across = row->across * share / fan->detail;
+    const int64_t along = tp_quotient(row->along * share, fan->detail);
+    const int64_t across = tp_quotient(row->across * share, fan->detail);
 
     return tp_fx_mul(tp_swell_spacing_weight(along), tp_swell_spacing_weight(across));
 }

@@ -82,8 +82,8 @@ void tp_level_begin(tp_level *level, const tp_projection *projection)
 tp_level_line tp_level_zero_line(const tp_level_linear *sum)
 {
     TP_ASSERT(sum->y > 0);
-    return (tp_level_line){ -(sum->at * 65536 / sum->y) * 16384,
-                            -(sum->x * ((int64_t)1 << 30) / sum->y) };
+    return (tp_level_line){ -tp_quotient(sum->at * 65536, sum->y) * 16384,
+                            -tp_quotient(sum->x * ((int64_t)1 << 30), sum->y) };
 }
 
 /* -- positions ----------------------------------------------------------------------- */

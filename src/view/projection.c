@@ -41,7 +41,7 @@ void tp_projection_init_turned(tp_projection *projection, tp_vec3 eye, tp_rotati
     projection->turn = turn;
     projection->near = near;
     projection->zi_near = near - (near >> 8);
-    projection->focal = (tp_fx)((int64_t)height * (1 << 15) * half.x / half.z);
+    projection->focal = (tp_fx)tp_quotient((int64_t)height * (1 << 15) * half.x, half.z);
     projection->m = 0;
     while (projection->m < TP_GUARD_LOG2 && projection->focal > TP_FX_ONE << projection->m)
         projection->m++;
@@ -169,7 +169,7 @@ static tp_view_vertex intersect_edge(const tp_projection *projection,
 
     while (span >> shift >= (uint64_t)1 << 32)
         shift++;
-    int64_t share = (int64_t)((((uint64_t)d_in >> shift) << 30) / (span >> shift));
+    int64_t share = tp_quotient((d_in >> shift) << 30, (int64_t)(span >> shift));
     c.x = interpolate(in->x, out->x, share);
     c.y = interpolate(in->y, out->y, share);
     c.depth = interpolate(in->depth, out->depth, share);

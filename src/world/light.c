@@ -77,7 +77,8 @@ void tp_light_step(tp_world *world, const tp_scene *scene, const tp_input *in)
 {
     save_last_light(world);
     int64_t second = (int64_t)scene->light.turn * ((int64_t)1 << 32);
-    int64_t tick = tp_div_rounded(second, (int64_t)360 * TP_FX_ONE * TP_TICKS_PER_SECOND);
+    const int64_t ticks = (int64_t)360 * TP_FX_ONE * TP_TICKS_PER_SECOND;
+    int64_t tick = tp_quotient(second < 0 ? second - ticks / 2 : second + ticks / 2, ticks);
 
     world->light_heading += (tp_turn)tick;
     if (!in)

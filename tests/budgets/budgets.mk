@@ -18,8 +18,10 @@ $(BUILD)/models.elf: $(MODELS_O) $(BOARD_REST)
 $(BUILD)/prices.elf: $(BUILD)/tests/budgets/prices.o build/baked/$(MACHINE)/prices.o \
           $(BOARD_REST)
 	$(SAY)$(LINK_ELF)
-$(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o build/baked/$(MACHINE)/%.o $(BOARD_REST)
-	@mkdir -p $(@D)
+$(call baked,$(BUILD)/ram,--size 320x240 --format rgb565 --no-input,build/host/tidepool)
+$(BUILD)/ram/%.o: $(BUILD)/ram/%.c $(BUILD)/flags
+	$(SAY)$(COMPILE) -c $< -o $@
+$(BUILD)/ram/%.elf: $(BUILD)/tests/budgets/ram.o $(BUILD)/ram/%.o $(BOARD_REST)
 	$(SAY)$(LINK_ELF)
 
 # The minimal program, and programs with the first n features in addition.

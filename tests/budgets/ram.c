@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Measures the memory that a scene takes on a bare Cortex-M, by tile size: the baked scene
- * is drawn into a picture of the whole size, first with its grid vertices kept, then with
- * streamed grid vertices, each with exactly the bytes that the frame asks for.
+/* Measures the memory that a scene takes on a bare Cortex-M, by tile size: the baked program
+ * draws into a picture of the whole size, first with its vertices kept, then with streamed
+ * vertices, each with exactly the bytes that the frame asks for.
  *
  * Prints the use of the memory for each case, and the picture's CRC, which is equal in all
  * cases; the marks let the plugin count the frame's instructions. */
@@ -29,7 +29,8 @@ static const uint32_t sizes[][2] = {
 static uint16_t picture[WIDTH * HEIGHT];
 static tp_program program;
 
-static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
+/* Returns the picture's CRC; *water receives its pixels of water. */
+static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world, uint32_t *water)
 {
     uint32_t crc = 0;
     tp_tile  tile;
@@ -39,8 +40,11 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
     tp_frame_begin(frame, world);
     count_as_tiles();
     for (uint32_t i = 0;
-         tp_frame_draw_tile_direct(frame, i, scratch, picture, 2 * WIDTH, &tile); i++)
-        continue;
+         tp_frame_draw_tile_direct(frame, i, scratch, picture, 2 * WIDTH, &tile); i++) {
+        count_end();
+        *water += tp_frame_water_pixels(frame, scratch, &tile);
+        count_as_tiles();
+    }
     count_end();
     for (uint32_t y = 0; y < HEIGHT; y++)
         crc = tp_crc32_pixels(crc, TP_FORMAT_RGB565, picture + y * WIDTH, WIDTH);
@@ -48,7 +52,7 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 }
 
 static void say(const char *how, const uint32_t size[2], tp_ram_use ram, size_t scratch,
-                size_t world, uint32_t crc)
+                size_t world, uint32_t water, uint32_t crc)
 {
     semihost_write("ram ");
     semihost_write(how);
@@ -61,6 +65,7 @@ static void say(const char *how, const uint32_t size[2], tp_ram_use ram, size_t 
     semihost_decimal(" scratch ", scratch);
     semihost_decimal(" world ", world);
     semihost_decimal(" stack ", board_stack_used());
+    semihost_decimal(" water ", water);
     semihost_decimal(" crc ", crc);
     semihost_write("\n");
     count_section();
@@ -75,8 +80,7 @@ static void measure(const char *how, const uint32_t size[2])
                                .format = TP_FORMAT_RGB565,
                                .program = &program,
                                .assets = &baked_assets };
-    const size_t world_bytes =
-        tp_world_bytes(&tp_program_all, &baked_scene, &baked_assets);
+    const size_t world_bytes = baked_world_bytes;
     const size_t scratch_bytes = tp_frame_direct_scratch_bytes(&config, &baked_scene);
     tp_arena  arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
     void *block = tp_arena_alloc(&arena, 1, tp_frame_bytes(&config, &baked_scene));
@@ -87,21 +91,24 @@ static void measure(const char *how, const uint32_t size[2])
     if (arena.failed
         || tp_frame_init(&frame, &config, &baked_scene, block,
                          tp_frame_bytes(&config, &baked_scene), NULL)
-        || tp_world_init(&tp_program_all, world, world_bytes, &baked_scene, &baked_assets,
-                         NULL))
+        || baked_world_init(world, world_bytes, NULL))
         semihost_stop("the scene does not fit");
     while (world->tick < FIRST)
-        tp_world_step(&tp_program_all, world, &baked_scene, NULL);
-    const uint32_t crc = draw(frame, scratch, world);
-    say(how, size, tp_frame_ram(frame), scratch_bytes, world_bytes, crc);
+        tp_world_step(&program, world, &baked_scene, NULL);
+    uint32_t water = 0;
+    const uint32_t crc = draw(frame, scratch, world, &water);
+    say(how, size, tp_frame_ram(frame), scratch_bytes, world_bytes, water, crc);
 }
 
 int main(void)
 {
-    program = tp_program_all;
+    program = baked_program;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         measure("kept", sizes[i]);
-    program.method.triangles = &tp_method_streamed;
+    if (program.method.triangles)
+        program.method.triangles = &tp_method_streamed;
+    if (program.method.walk)
+        program.method.walk = &tp_method_streamed_walk;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         measure("streamed", sizes[i]);
     return 0;

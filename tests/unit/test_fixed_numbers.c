@@ -123,6 +123,24 @@ static void reciprocals_round_half_up_and_saturate(void **state)
     assert_int_equal(tp_fx_recip(2), TP_FX_MAX);
 }
 
+/* Numbers of all lengths, so that quotients have 0 to 63 bits. */
+static void quotients_by_shifts_are_those_of_division(void **state)
+{
+    (void)state;
+    const int64_t ends[] = { 0, 1, -1, 2, 3, INT32_MAX, INT32_MIN, INT64_MAX, -INT64_MAX };
+    const int count = sizeof ends / sizeof *ends;
+
+    for (int i = 0; i < count; i++)
+        for (int k = 1; k < count; k++)
+            assert_true(tp_quotient_by_shifts(ends[i], ends[k]) == ends[i] / ends[k]);
+    for (int i = 0; i < 1000000; i++) {
+        const int64_t n = (int64_t)random_next(&seed) >> random_below(&seed, 64);
+        const int64_t d = (int64_t)random_next(&seed) >> random_below(&seed, 64);
+        if (n > INT64_MIN && d > INT64_MIN && d != 0)
+            assert_true(tp_quotient_by_shifts(n, d) == n / d);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -132,6 +150,7 @@ int main(void)
         cmocka_unit_test(quotients_round_half_up_and_saturate),
         cmocka_unit_test(quotients_of_the_ends_are_safe),
         cmocka_unit_test(reciprocals_round_half_up_and_saturate),
+        cmocka_unit_test(quotients_by_shifts_are_those_of_division),
     };
     seed = random_seed();
     return cmocka_run_group_tests_name("fixed/numbers", tests, NULL, NULL);

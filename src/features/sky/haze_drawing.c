@@ -60,7 +60,7 @@ static void begin_haze(tp_frame *frame, void *mine)
 
     TP_ASSERT(frame->projection.zi_near > 0);
     haze->scale =
-        (uint32_t)((int64_t)frame->scene->sky.haze * 64 / frame->projection.zi_near);
+        (uint32_t)tp_quotient((int64_t)frame->scene->sky.haze * 64, frame->projection.zi_near);
     haze->around = haze->laid && frame->shade.env.kind != TP_ENV_GRADIENT
                    && frame->scene->quality.haze == TP_RUNG_FAST
                    && frame->program->draw.horizon;
