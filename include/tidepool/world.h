@@ -75,24 +75,19 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
 /* True if a world has the layout of the machines that bake: 64-bit numbers aligned to 8, low
  * byte first. */
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-struct tp_aligned_number { char byte; int64_t number; };
-#define TP_WORLD_IS_BAKED (offsetof(struct tp_aligned_number, number) == 8)
+struct tp_world_number { char byte; int64_t number; };
+#define TP_WORLD_IS_BAKED (offsetof(struct tp_world_number, number) == 8)
 #else
 #define TP_WORLD_IS_BAKED 0
 #endif
 
-/* The world of a scene at tick 0 as a constant, made by `tidepool bake`. */
+/* The world of a scene at tick 0 as a constant, made by `tidepool bake`.  NAME_world_init of
+ * a baked file copies it, without the code that makes worlds; so does tp_world_init. */
 typedef struct {
     const tp_scene *scene;
     const uint32_t *words;
     size_t          bytes;
 } tp_baked_world;
-
-/* Copies a baked world, as NAME_world_init of a baked file does: the world of tp_world_init
- * without the code that makes it.
- *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few */
-tp_status tp_world_copy(tp_world *world, size_t bytes, const tp_baked_world *baked,
-                        tp_error *err);
 
 /* Checks `bytes` bytes from outside, for example from a file, aligned to 8: can they be
  * stepped and drawn as a world?  `fresh` is a world of the same scene, assets and program,

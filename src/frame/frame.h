@@ -180,6 +180,7 @@ void tp_frame_place_slopes(tp_frame *frame);
  * receives how many are filled, 0 if such water cannot be baked. */
 #define TP_ROWS_NUMBERS 20
 #define TP_FRAME_ROWS_WORDS(rows) (5 + 7 * (rows) + 3 * (TP_ROUGH_STEPS + 1))
+bool tp_frame_rows_are_baked(const tp_assets *assets, uint32_t vertices);  /* this budget */
 void tp_frame_use_baked_rows(tp_frame *frame);
 const tp_filtered_waves *tp_frame_filtered_waves(const tp_frame *frame);    /* or NULL */
 void tp_frame_pack_rows(const tp_frame *frame, int32_t numbers[TP_ROWS_NUMBERS],

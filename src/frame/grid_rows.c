@@ -4,7 +4,7 @@
 #include "frame/frame.h"
 #include "waves/deep_water.h"
 
-enum { ROW = sizeof(tp_fan_row) / sizeof(int32_t), HEAD = 5 };
+enum { ROW = sizeof(tp_fan_row) / sizeof(int32_t), HEAD = 5, BUDGET = 16 /* a number */ };
 
 _Static_assert(sizeof(tp_fan_row) == 24 && sizeof(tp_slope_variance) == 12,
                "rows and variances are words without gaps");
@@ -45,6 +45,12 @@ static void collect_numbers(const tp_frame *frame, int32_t to[TP_ROWS_NUMBERS])
     memcpy(to, numbers, sizeof numbers);
 }
 
+bool tp_frame_rows_are_baked(const tp_assets *assets, uint32_t vertices)
+{
+    const tp_table *baked = tp_assets_table(assets, TP_TABLE_rows);
+    return baked && baked->made_of[BUDGET] == (int32_t)vertices;
+}
+
 void tp_frame_use_baked_rows(tp_frame *frame)
 {
     tp_grid *grid = frame->buffers.grid;
@@ -53,6 +59,7 @@ void tp_frame_use_baked_rows(tp_frame *frame)
     collect_numbers(frame, numbers);
     const uint32_t dropped = frame->stats.dropped;
     const int32_t *at = tp_frame_table(frame, TP_TABLE_rows, NULL, numbers, NULL, NULL);
+    TP_ASSERT(at[0] > 1 && at[1] > 1 && (uint32_t)at[1] <= grid->most_cols);
     if (frame->stats.dropped > dropped && !frame->lacking)
         frame->lacking = TP_LACKING_ROWS;
     grid->rows = (uint32_t)at[0];

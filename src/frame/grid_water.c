@@ -158,7 +158,7 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
 
     tp_grid_layout_vertices(grid, arena, tp_fan_budget(scene),
                             tp_frame_is_grid_streamed(program));
-    if (!tp_assets_table(config->assets, TP_TABLE_rows)) {
+    if (!tp_frame_rows_are_baked(config->assets, tp_fan_budget(scene))) {
         tp_grid_layout_rows(grid, arena, tp_fan_budget(scene),
                             most_swells(program, scene));
         buffers->filtered = tp_arena_alloc(arena, 1, sizeof *buffers->filtered);

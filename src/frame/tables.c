@@ -9,11 +9,9 @@ static const uint8_t numbers_of[TP_TABLE_COUNT] = {
 #undef X
 };
 
-tp_own_table *tp_table_layout(tp_arena *arena, const tp_assets *assets, tp_table_id id,
-                              size_t bytes)
+tp_own_table *tp_table_layout_own(tp_arena *arena, tp_table_id id, size_t bytes)
 {
-    if (tp_assets_table(assets, id))
-        return NULL;
+    TP_ASSERT(id < TP_TABLE_COUNT && bytes > 0);
     const size_t all = (1u + numbers_of[id]) * sizeof(int32_t) + bytes;
     tp_own_table *own = tp_arena_alloc(arena, (all + 3) / 4, sizeof *own);
 
@@ -23,6 +21,12 @@ tp_own_table *tp_table_layout(tp_arena *arena, const tp_assets *assets, tp_table
     own[0] = (int32_t)bytes;
     own[1] = INT32_MIN;         /* no table is made of this number first */
     return own;
+}
+
+tp_own_table *tp_table_layout(tp_arena *arena, const tp_assets *assets, tp_table_id id,
+                              size_t bytes)
+{
+    return tp_assets_table(assets, id) ? NULL : tp_table_layout_own(arena, id, bytes);
 }
 
 /* Makes an own table if it is not made of these numbers. */
@@ -45,6 +49,7 @@ const void *tp_frame_table(tp_frame *frame, tp_table_id id, tp_own_table *own,
                            const int32_t *numbers, const tp_table_maker *maker,
                            const void *from)
 {
+    TP_ASSERT(numbers != NULL && (own || frame->assets.tables));
     frame->own_table[id] = own;
     if (own) {
         refresh(frame, id, own, numbers, maker, from);
@@ -58,6 +63,7 @@ const void *tp_frame_table(tp_frame *frame, tp_table_id id, tp_own_table *own,
 
 tp_table tp_frame_own_table(const tp_frame *frame, tp_table_id id, size_t *bytes)
 {
+    TP_ASSERT(frame != NULL && bytes != NULL && id < TP_TABLE_COUNT);
     const tp_own_table *own = frame->own_table[id];
 
     *bytes = own ? (size_t)own[0] : 0;

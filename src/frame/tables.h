@@ -37,10 +37,11 @@ static inline const tp_table *tp_assets_table(const tp_assets *assets, tp_table_
                ? &assets->tables->table[id] : NULL;
 }
 
-/* Allocates a table of `bytes`, empty; NULL: the assets have it, or the arena only
- * counts. */
+/* Allocates a table of `bytes`, empty; NULL: the assets have it, or the arena only counts.
+ * tp_table_layout_own: whatever the assets have. */
 tp_own_table *tp_table_layout(tp_arena *arena, const tp_assets *assets, tp_table_id id,
                               size_t bytes);
+tp_own_table *tp_table_layout_own(tp_arena *arena, tp_table_id id, size_t bytes);
 
 /* Returns the entries.  An own table is made again if its numbers have changed.  Without
  * its maker, or baked of other numbers, it counts as dropped. */

@@ -206,7 +206,8 @@ static inline tp_fx tp_fan_slope_weight(const tp_swell *w, tp_fx weight)
 {
     const int64_t most = tp_abs(w->slope_x) > tp_abs(w->slope_z) ? tp_abs(w->slope_x)
                                                                  : tp_abs(w->slope_z);
-    return most * weight >> 16 < INT32_MAX ? weight : (tp_fx)tp_quotient((int64_t)INT32_MAX << 16, most);
+    return most * weight >> 16 < INT32_MAX
+               ? weight : (tp_fx)tp_quotient((int64_t)INT32_MAX << 16, most);
 }
 
 /* fan_vertices.c: waves in a wind, for tp_water_coastal. */

@@ -119,13 +119,9 @@ static void init_deep_water_and_phases(const tp_program *program, tp_world *worl
     tp_deep_water_phases(&world->deep, world->tick, 0, world->phases);
 }
 
-tp_status tp_world_copy(tp_world *world, size_t bytes, const tp_baked_world *baked,
-                        tp_error *err)
+static tp_status copy_world(tp_world *world, size_t bytes, const tp_baked_world *baked,
+                            tp_error *err)
 {
-    const tp_status status = tp_pointer_check_aligned(world, 8, "world", err);
-
-    if (status != TP_OK)
-        return status;
     if (bytes < baked->bytes)
         return TP_FAIL(err, TP_E_NOSPACE, 0, baked->bytes, bytes);
     memcpy(world, baked->words, baked->bytes);
@@ -146,8 +142,9 @@ tp_status tp_world_init(const tp_program *program, tp_world *world, size_t bytes
 
     program = tp_program_or_linked(program);
 
-    if (TP_WORLD_IS_BAKED && program->world && program->world->scene == scene)
-        return tp_world_copy(world, bytes, program->world, err);
+    if (status == TP_OK && TP_WORLD_IS_BAKED && program->world
+        && program->world->scene == scene)
+        return copy_world(world, bytes, program->world, err);
     if (status == TP_OK && !can_make_deep_water(program))
         status = tp_program_fail_lacking("swells", err);
     if (status == TP_OK)

@@ -40,9 +40,9 @@ static const command_help_row rows[] = {
     { FOR_BAKE, "tidepool bake SCENE -o FILE.c [OPTION]...",
       "Writes a scene, its mesh, pictures and maps as C constants for a board:\n"
       "NAME_scene and NAME_assets.  The head of the file declares them and gives their\n"
-      "bytes.  --size or --format adds NAME_program, the list of modules that the scene\n"
-      "needs at this size and format: a build that links it contains no other modules\n"
-      "and draws the same bits.  `tidepool plan` lists values that make ticks cheaper.\n",
+      "bytes.  --size or --format adds NAME_program, the modules that a scene needs at\n"
+      "this size and format, and tables that the scene keeps as constants: a\n"
+      "build that links it contains no other modules and draws the same bits.\n",
       "The file compiles with -I for the folder of tidepool/modules.h, nothing else.\n",
       CHECKS, "the program would draw another picture" },
     { FOR_PLAN, "tidepool plan SCENE [OPTION]...",

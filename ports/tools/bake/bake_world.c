@@ -64,8 +64,16 @@ void bake_put_world_init(const bake_program *p, const tp_assets *assets, FILE *o
             "tp_status %s_world_init(tp_world *world, size_t bytes, tp_error *err)\n{\n",
             name, name);
     if (bake_world_is_copied(p, assets))
-        fprintf(out, "    if (TP_WORLD_IS_BAKED)\n"
-                     "        return tp_world_copy(world, bytes, &%s_world, err);\n", name);
+        fprintf(out,
+                "    uint32_t *to = (uint32_t *)(void *)world;\n\n"
+                "    if (TP_WORLD_IS_BAKED && world && bytes >= sizeof %s_world_words) {\n"
+                "        for (size_t i = 0; i < %s_world.bytes / 4; i++)\n"
+                "            to[i] = %s_world_words[i];\n"
+                "        return TP_OK;\n    }\n"
+                "    if (TP_WORLD_IS_BAKED && err)\n"
+                "        *err = (tp_error){ .code = world ? TP_E_NOSPACE : TP_E_NULL };\n"
+                "    if (TP_WORLD_IS_BAKED)\n"
+                "        return world ? TP_E_NOSPACE : TP_E_NULL;\n", name, name, name);
     fprintf(out,
             "    return tp_world_init(&%s_program, world, bytes, &%s_scene, &%s_assets,"
             " err);\n}\n", name, name, name);

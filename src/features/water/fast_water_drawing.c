@@ -40,7 +40,7 @@ static tp_lobe select_lobe(const tp_frame *frame)
     return frame->scene->light.model == TP_LIGHT_BLINN ? TP_LOBE_BLINN : TP_LOBE_PHONG;
 }
 
-/* What the tables are made for, beside the frame. */
+/* Numbers that the makers of tables take beside those of the frame. */
 typedef struct {
     uint32_t laid, levels;      /* levels of roughness: with memory; in use */
     bool     ripples;
@@ -59,6 +59,8 @@ static void make_light(const tp_frame *frame, const void *from, void *entries)
 }
 
 const struct tp_draw_light tp_draw_light = { { make_light } };
+
+enum { KIND = 0, LEVELS = 16 };     /* numbers of the tables */
 
 /* Sets the tables by all numbers that they use.  The camera's pitch enters only through a
  * dome's share at the sun.  A program without the module `glint` has no table of glints. */
@@ -104,16 +106,25 @@ static void begin_fast_water(tp_frame *frame, void *mine)
     set_tables(frame, fast, ripples);
 }
 
+/* True if the assets have the tables of such a sky and so many levels. */
+static bool has_baked_light(const tp_assets *assets, int env, uint32_t levels)
+{
+    const tp_table *baked = tp_assets_table(assets, TP_TABLE_light);
+
+    return baked && baked->made_of[KIND] == env
+           && baked->made_of[LEVELS] >> 1 == (int32_t)levels;
+}
+
 static void *layout(tp_arena *arena, const tp_module_conditions *conditions)
 {
     const uint32_t levels = conditions->scene->water.rough ? TP_QUICK_LEVELS : 1;
     tp_fast_water *fast = tp_arena_alloc(arena, 1, sizeof *fast);
     const int env = conditions->above & TP_MODULE_CUBE ? TP_ENV_CUBE
                   : conditions->above & TP_MODULE_DOME ? TP_ENV_DOME : TP_ENV_GRADIENT;
-    tp_own_table *own =
-        tp_table_layout(arena, conditions->assets, TP_TABLE_light,
-                        levels * sizeof(tp_quick_rough)
-                            + tp_quick_sky_words(env, levels) * sizeof(uint32_t));
+    const size_t bytes = levels * sizeof(tp_quick_rough)
+                       + tp_quick_sky_words(env, levels) * sizeof(uint32_t);
+    tp_own_table *own = has_baked_light(conditions->assets, env, levels)
+                            ? NULL : tp_table_layout_own(arena, TP_TABLE_light, bytes);
     tp_fast_textures counted;
 
     if (fast) {
