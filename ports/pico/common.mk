@@ -3,7 +3,7 @@
 # CPPFLAGS=-DPICO_PANEL=lcd_st7789 is for another panel of ports/lcd, -DPICO_CORES=1 draws by
 # one core.
 PICO_C  := $(addprefix ports/,$(addprefix pico/,start.c pico.c panel.c cores.c main.c) \
-               cortex-m/memory.c cortex-m/frame_crc.c lcd/lcd.c lcd/panels.c \
+               $(addprefix cortex-m/,memory.c frame_crc.c live.c) lcd/lcd.c lcd/panels.c \
                $(addprefix serial/,reply.c control.c control_set.c buttons.c) \
                $(addprefix interact/,poke.c setting.c))
 # --with links the modules that command lines may switch on.  BAND=8 and BAND=8 STREAM=1 take

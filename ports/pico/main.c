@@ -10,13 +10,12 @@
 #include "base/base.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/frame_crc.h"
+#include "cortex-m/live.h"
 #include "cortex-m/trace_marks.h"
 #include "frame/tools.h"
 #include "pico.h"
 #include "pixel/pixel.h"
 #include "serial/buttons.h"
-#include "serial/control.h"
-#include "world/text.h"
 
 #ifndef PICO_PANEL
 #define PICO_PANEL lcd_ili9341
@@ -27,7 +26,6 @@
 enum { CORES = PICO_CORES };
 
 #define SECOND_US     1000000u
-#define TICKS_AT_ONCE 8             /* a larger backlog is dropped: water slows down */
 
 static const tp_program *const program = &baked_program;
 static const tp_config *const picture = &baked_config;
@@ -54,21 +52,6 @@ TRACE_MARK(count_end)
 
 /* -- replies ------------------------------------------------------------------------- */
 
-static void say(const char *what, size_t n)
-{
-    pico_text(NULL, what);
-    pico_number((uint32_t)n, 10, 1);
-}
-
-_Noreturn static void halt_with_error(const char *why)
-{
-    pico_text(NULL, "\nerror ");
-    pico_text(NULL, why);
-    pico_text(NULL, "\n");
-    for (;;)
-        ;
-}
-
 /* Draws the picture again, by this core alone, only for its CRC. */
 static uint32_t crc_of_picture(void)
 {
@@ -82,36 +65,16 @@ static uint32_t crc_of_picture(void)
 
 static void say_state(void *unused)
 {
-    pico_text(unused, " crc32 ");
-    pico_number(crc_of_picture(), 16, 8);
-    say(", bytes sent ", sent_bytes);
-    say(", us ", frame_us);
-    say(", dropped ", tp_frame_stats(frame).dropped);
-    say(", stack ", start_stack_used(0));
-    say(" ", start_stack_used(1));
-}
-
-static void say_input(const tp_input *input)
-{
-    const tp_tape_entry entry = { tp_world_tick(world), *input };
-    char text[TP_TAPE_LINE];
-    if (tp_tape_write(&entry, text, sizeof text)) {
-        pico_text(NULL, text);
-        pico_text(NULL, "\n");
-    }
+    live_text(unused, " crc32 ");
+    live_number(crc_of_picture(), 16, 8);
+    live_say(", bytes sent ", sent_bytes);
+    live_say(", us ", frame_us);
+    live_say(", dropped ", tp_frame_stats(frame).dropped);
+    live_say(", stack ", start_stack_used(0));
+    live_say(" ", start_stack_used(1));
 }
 
 /* -- memory -------------------------------------------------------------------------- */
-
-/* Allocates memory in the arena and reports its size in the first line. */
-static void *take(tp_arena *arena, const char *what, size_t bytes)
-{
-    void *memory = tp_arena_alloc(arena, 1, bytes);
-    say(what, bytes);
-    if (!memory)
-        halt_with_error("that does not fit");
-    return memory;
-}
 
 static lcd_config panel_config(void)
 {
@@ -129,7 +92,7 @@ static void open_panel(void)
     panel_open();
     const lcd_status opened = lcd_open(&panel, &config, sends);
     if (opened != LCD_OK && opened != LCD_E_BLOCKED)
-        halt_with_error(lcd_status_text(opened));
+        live_halt(lcd_status_text(opened));
 }
 
 static void open_scene(void)
@@ -141,19 +104,20 @@ static void open_scene(void)
     char     text[160];
 
     scene = baked_scene;
-    world = take(&arena, "ram world ", bytes);
+    world = live_take(&arena, "ram world ", bytes);
     for (int core = 0; core < CORES; core++)
-        scratch[core] = take(&arena, " scratch ", tp_frame_scratch_bytes(picture, &scene));
+        scratch[core] = live_take(&arena, " scratch ",
+                                  tp_frame_scratch_bytes(picture, &scene));
     const size_t frame_bytes = tp_frame_bytes(picture, &scene);
-    void *block = take(&arena, " frame ", frame_bytes);
-    sends = take(&arena, " panel ", lcd_bytes(&config, NULL));
-    say(" left ", arena.bytes - arena.used);
+    void *block = live_take(&arena, " frame ", frame_bytes);
+    sends = live_take(&arena, " panel ", lcd_bytes(&config, NULL));
+    live_say(" left ", arena.bytes - arena.used);
     if (tp_world_init(program, world, bytes, &scene, &baked_assets, &err)
         || tp_frame_init(&frame, picture, &scene, block, frame_bytes, &err)) {
         tp_error_text(&err, text, sizeof text);
-        halt_with_error(text);
+        live_halt(text);
     }
-    pico_text(NULL, "\n");
+    live_text(NULL, "\n");
 }
 
 /* -- pictures ------------------------------------------------------------------------ */
@@ -234,7 +198,7 @@ static void show(void)
 static void tick(void)
 {
     const tp_input input = control_take(&lines);
-    say_input(&input);
+    live_echo(world, &input);
     count_as_tick();
     tp_world_step(program, world, &scene, &input);
     count_end();
@@ -247,30 +211,18 @@ static uint32_t elapsed(void)
     return us < SECOND_US ? us : SECOND_US;
 }
 
-/* Makes the ticks now due: those of a `step` command at once, others by the clock. */
+/* Makes the ticks now due.  A microsecond of the clock is TP_TICKS_PER_SECOND units. */
 static bool make_ticks(void)
 {
-    bool made = false;
     owed += elapsed() * TP_TICKS_PER_SECOND;
-    if (owed > TICKS_AT_ONCE * SECOND_US)
-        owed = TICKS_AT_ONCE * SECOND_US;
-    for (; owed >= SECOND_US; owed -= SECOND_US)
-        if (control_reads(&lines) && control_ticks(&lines)) {
-            tick();
-            made = true;
-        }
-    while (!control_reads(&lines) && control_ticks(&lines)) {
-        tick();
-        made = true;
-    }
-    return made;
+    return live_make_ticks(&owed, SECOND_US, &lines, tick);
 }
 
 static void check_stacks(void)
 {
     for (uint32_t core = 0; core < CORES; core++)
         if (!start_stack_holds(core))
-            halt_with_error(core ? "the stack of core 1 overflowed"
+            live_halt(core ? "the stack of core 1 overflowed"
                                  : "the stack of core 0 overflowed");
 }
 
@@ -288,13 +240,13 @@ int main(void)
     setup = (control_setup){
         .shown = &scene, .scene = &scene, .config = picture, .world = world,
         .world_bytes = tp_world_bytes(program, &baked_scene, &baked_assets),
-        .write = pico_text, .state = say_state,
+        .write = live_text, .state = say_state,
     };
     control_begin(&lines, &setup);
     pressed.lines = pico_buttons();
-    pico_text(NULL, "ok ");
-    pico_text(NULL, scene.title);
-    pico_text(NULL, "\n");
+    live_text(NULL, "ok ");
+    live_text(NULL, scene.title);
+    live_text(NULL, "\n");
     lines.changed = true;
     for (;;) {
         check_stacks();

@@ -4,6 +4,7 @@
  * An interrupt of core 0 stores received bytes in a ring while a picture is drawn.  While
  * the ring is full the interrupt is masked: a sender that continues loses bytes. */
 #include "pico.h"
+#include "cortex-m/live.h"
 
 #define USED (CHIP_RESET_DMA | CHIP_RESET_PINS | CHIP_RESET_PADS | CHIP_RESET_SPI0 \
               | CHIP_RESET_TIMER | CHIP_RESET_UART0)
@@ -130,7 +131,7 @@ static void open_serial(void)
     PICO_AT(0xe000e100u + CHIP_IRQ_UART0 / 32 * 4) = 1u << CHIP_IRQ_UART0 % 32;
 }
 
-void pico_text(void *unused, const char *text)
+void live_text(void *unused, const char *text)
 {
     (void)unused;
     for (; *text; text++) {
@@ -138,16 +139,6 @@ void pico_text(void *unused, const char *text)
             ;
         UART(UART_DR) = (uint8_t)*text;
     }
-}
-
-void pico_number(uint32_t n, uint32_t base, int least_digits)
-{
-    char  text[34];
-    char *at = text + sizeof text - 1;
-    *at = '\0';
-    for (; n || least_digits > 0; n /= base, least_digits--)
-        *--at = "0123456789abcdef"[n % base];
-    pico_text(NULL, at);
 }
 
 /* -- buttons ------------------------------------------------------------------------- */

@@ -40,8 +40,6 @@ void     pico_pin(uint32_t pin, uint32_t function);
 
 void pico_receive(void);                        /* interrupt handler of the serial port */
 bool pico_byte(uint8_t *byte);                  /* false: no byte has arrived */
-void pico_text(void *unused, const char *text);
-void pico_number(uint32_t n, uint32_t base, int least_digits);
 
 uint32_t pico_buttons(void);    /* lines in the format of serial/buttons.h */
 

@@ -3,6 +3,7 @@
  * copied to RAM, cleared memory, and both stacks painted with a pattern to measure their
  * use.  Functions in the section .start run in flash. */
 #include "pico.h"
+#include "cortex-m/live.h"
 
 extern uint32_t data_load[], data_start[], data_end[], bss_start[], bss_end[];
 extern uint32_t stack0_low[], stack0_top[], stack1_low[], stack1_top[];
@@ -32,15 +33,15 @@ _Noreturn __attribute__((used)) void report_fault(const uint32_t *sp)
     uint32_t number;
 
     __asm__ volatile("mrs %0, ipsr" : "=r"(number));
-    pico_text(NULL, "\nfault ");
-    pico_number(number & 0xff, 10, 1);
-    pico_text(NULL, " of core ");
-    pico_number(pico_core(), 10, 1);
+    live_text(NULL, "\nfault ");
+    live_number(number & 0xff, 10, 1);
+    live_text(NULL, " of core ");
+    live_number(pico_core(), 10, 1);
     if (sp >= stack1_low && sp + PUSHED <= stack0_top) {
-        pico_text(NULL, " at ");
-        pico_number(sp[PUSHED_PC], 16, 8);
+        live_text(NULL, " at ");
+        live_number(sp[PUSHED_PC], 16, 8);
     }
-    pico_text(NULL, "\n");
+    live_text(NULL, "\n");
     for (;;)
         __asm__ volatile("wfi");
 }

@@ -3,7 +3,7 @@
 TRIPLE  := arm-none-eabi-
 ARCH    := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -ffreestanding
 BOARD_C := $(addprefix ports/,$(addprefix cortex-m/,lm3s6965evb/main.c lm3s6965evb/evb.c \
-               start.c semihost.c memory.c) $(addprefix lcd/,lcd.c panels.c ssd0323.c) \
+               start.c semihost.c memory.c live.c) $(addprefix lcd/,lcd.c panels.c ssd0323.c) \
                $(addprefix serial/,reply.c control.c control_set.c buttons.c) \
                $(addprefix interact/,poke.c setting.c))
 # An OLED, drawn in bands; 64 KB of RAM cannot hold all grid vertices.  --with links the

@@ -6,6 +6,7 @@
  * a sender that continues loses bytes, except on an emulator, which waits. */
 #include "evb.h"
 #include "cortex-m/board.h"
+#include "cortex-m/live.h"
 
 #define AT(address) (*(volatile uint32_t *)(uintptr_t)(address))
 
@@ -126,7 +127,7 @@ static void open_serial(void)
     NVIC_ENABLE = 1u << UART_IRQ;
 }
 
-void evb_text(void *unused, const char *text)
+void live_text(void *unused, const char *text)
 {
     (void)unused;
     for (; *text; text++) {
@@ -134,16 +135,6 @@ void evb_text(void *unused, const char *text)
             ;
         UART(0) = (uint8_t)*text;
     }
-}
-
-void evb_number(uint32_t n, uint32_t base, int least_digits)
-{
-    char  text[34];
-    char *at = text + sizeof text - 1;
-    *at = '\0';
-    for (; n || least_digits > 0; n /= base, least_digits--)
-        *--at = "0123456789abcdef"[n % base];
-    evb_text(NULL, at);
 }
 
 /* -- display ------------------------------------------------------------------------- */

@@ -16,8 +16,6 @@ uint32_t evb_clocks(void);
 
 /* Fetches a received byte; returns false if none has arrived. */
 bool evb_byte(uint8_t *byte);
-void evb_text(void *unused, const char *text);
-void evb_number(uint32_t n, uint32_t base, int least_digits);
 
 /* Functions of lcd_wires for the display. */
 void evb_command(void *unused, uint8_t byte);

@@ -14,17 +14,15 @@
 #include "base/base.h"
 #include "cortex-m/baked.h"
 #include "cortex-m/board.h"
+#include "cortex-m/live.h"
 #include "cortex-m/trace_marks.h"
 #include "evb.h"
 #include "frame/tools.h"
 #include "lcd/lcd.h"
 #include "pixel/pixel.h"
 #include "serial/buttons.h"
-#include "serial/control.h"
-#include "world/text.h"
 
-#define TICK_CLOCKS   (EVB_HZ / TP_TICKS_PER_SECOND)
-#define TICKS_AT_ONCE 8             /* a larger backlog is dropped: water slows down */
+#define TICK_CLOCKS (EVB_HZ / TP_TICKS_PER_SECOND)
 
 static const tp_program *const program = &baked_program;
 static const tp_config *const picture = &baked_config;
@@ -46,31 +44,6 @@ TRACE_MARK(count_end)
 
 /* -- memory -------------------------------------------------------------------------- */
 
-static void say(const char *what, size_t n)
-{
-    evb_text(NULL, what);
-    evb_number((uint32_t)n, 10, 1);
-}
-
-_Noreturn static void halt_with_error(const char *why)
-{
-    evb_text(NULL, "\nerror ");
-    evb_text(NULL, why);
-    evb_text(NULL, "\n");
-    for (;;)
-        ;
-}
-
-/* Allocates memory in the arena and reports its size in the first line. */
-static void *take(tp_arena *arena, const char *what, size_t bytes)
-{
-    void *memory = tp_arena_alloc(arena, 1, bytes);
-    say(what, bytes);
-    if (!memory)
-        halt_with_error("that does not fit");
-    return memory;
-}
-
 static void open_scene(void)
 {
     const lcd_config config = {
@@ -84,31 +57,31 @@ static void open_scene(void)
     char     text[160];
 
     scene = baked_scene;
-    world = take(&arena, "ram world ", bytes);
-    scratch = take(&arena, " scratch ", tp_frame_scratch_bytes(picture, &scene));
+    world = live_take(&arena, "ram world ", bytes);
+    scratch = live_take(&arena, " scratch ", tp_frame_scratch_bytes(picture, &scene));
     const size_t frame_bytes = tp_frame_bytes(picture, &scene);
-    void *block = take(&arena, " frame ", frame_bytes);
-    void *sends = take(&arena, " panel ", lcd_bytes(&config, NULL));
-    say(" left ", arena.bytes - arena.used);
+    void *block = live_take(&arena, " frame ", frame_bytes);
+    void *sends = live_take(&arena, " panel ", lcd_bytes(&config, NULL));
+    live_say(" left ", arena.bytes - arena.used);
     const lcd_status status = lcd_open(&panel, &config, sends);
     if (status != LCD_OK)
-        halt_with_error(lcd_status_text(status));
+        live_halt(lcd_status_text(status));
     if (tp_world_init(program, world, bytes, &scene, &baked_assets, &err)
         || tp_frame_init(&frame, picture, &scene, block, frame_bytes, &err)) {
         tp_error_text(&err, text, sizeof text);
-        halt_with_error(text);
+        live_halt(text);
     }
     const tp_ram_use ram = tp_frame_ram(frame);
-    say(" vertices ", ram.vertices);
-    say(" mirror ", ram.mirror);
-    say(" reserve ", board_stack_bytes());
-    say("\npicture ", picture->width);
-    say("x", picture->height);
-    evb_text(NULL, " ");
-    evb_text(NULL, tp_format_name(picture->format));
-    say(" ", picture->tile_width ? picture->tile_width : picture->width);
-    say("x", picture->tile_height);
-    evb_text(NULL, "\n");
+    live_say(" vertices ", ram.vertices);
+    live_say(" mirror ", ram.mirror);
+    live_say(" reserve ", board_stack_bytes());
+    live_say("\npicture ", picture->width);
+    live_say("x", picture->height);
+    live_text(NULL, " ");
+    live_text(NULL, tp_format_name(picture->format));
+    live_say(" ", picture->tile_width ? picture->tile_width : picture->width);
+    live_say("x", picture->tile_height);
+    live_text(NULL, "\n");
 }
 
 /* -- replies ------------------------------------------------------------------------- */
@@ -136,55 +109,32 @@ static uint32_t crc_of_picture(void)
 
 static void say_state(void *unused)
 {
-    evb_text(unused, " crc32 ");
-    evb_number(crc_of_picture(), 16, 8);
-    say(", bytes sent ", (size_t)(panel.sent - sent_before));
-    say(", clocks ", clocks);
-    say(", dropped ", tp_frame_stats(frame).dropped);
-    say(", stack ", board_stack_used());
+    live_text(unused, " crc32 ");
+    live_number(crc_of_picture(), 16, 8);
+    live_say(", bytes sent ", (size_t)(panel.sent - sent_before));
+    live_say(", clocks ", clocks);
+    live_say(", dropped ", tp_frame_stats(frame).dropped);
+    live_say(", stack ", board_stack_used());
 }
 
 static const control_setup setup = {
     .shown = &scene, .scene = &scene, .config = &baked_config,
-    .write = evb_text, .state = say_state,
+    .write = live_text, .state = say_state,
 };
-
-static void say_input(const tp_input *input)
-{
-    const tp_tape_entry entry = { tp_world_tick(world), *input };
-    char text[TP_TAPE_LINE];
-    if (tp_tape_write(&entry, text, sizeof text)) {
-        evb_text(NULL, text);
-        evb_text(NULL, "\n");
-    }
-}
 
 /* -- time ---------------------------------------------------------------------------- */
 
 static void tick(void)
 {
     const tp_input input = control_take(&lines);
-    say_input(&input);
+    live_echo(world, &input);
     tp_world_step(program, world, &scene, &input);
 }
 
-/* Makes the ticks now due: those of a `step` command at once, others by the clock. */
 static bool make_ticks(void)
 {
-    bool made = false;
     owed += evb_clocks();
-    if (owed > TICKS_AT_ONCE * TICK_CLOCKS)
-        owed = TICKS_AT_ONCE * TICK_CLOCKS;
-    for (; owed >= TICK_CLOCKS; owed -= TICK_CLOCKS)
-        if (control_reads(&lines) && control_ticks(&lines)) {
-            tick();
-            made = true;
-        }
-    while (!control_reads(&lines) && control_ticks(&lines)) {
-        tick();
-        made = true;
-    }
-    return made;
+    return live_make_ticks(&owed, TICK_CLOCKS, &lines, tick);
 }
 
 static void show(void)
@@ -210,9 +160,9 @@ int main(void)
     here.world_bytes = tp_world_bytes(program, &baked_scene, &baked_assets);
     control_begin(&lines, &here);
     pressed.lines = evb_buttons();
-    evb_text(NULL, "ok ");
-    evb_text(NULL, scene.title);
-    evb_text(NULL, "\n");
+    live_text(NULL, "ok ");
+    live_text(NULL, scene.title);
+    live_text(NULL, "\n");
     show();
     for (;;) {
         while (control_reads(&lines) && evb_byte(&byte))
