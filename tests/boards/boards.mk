@@ -16,6 +16,14 @@ $(BUILD)/st7789/%.elf: $(BUILD)/st7789/main.o $(BUILD)/baked/%.o $(BOARD_REST) \
           $(BUILD)/in_ram/%/in_ram.ld
 	$(SAY)$(LINK_ELF)
 
+# A Pico 2's scene and library for two emulated processors of the same kind.
+TWO_CORES := $(addprefix $(BUILD)/,tests/boards/two_cores.o $(addprefix ports/cortex-m/, \
+               frame_crc.o start.o semihost.o memory.o))
+$(BUILD)/two_cores/%.elf: private BOARD_LD := ports/cortex-m/mps2-an505/board.ld
+$(BUILD)/two_cores/%.elf: $(TWO_CORES) $(BUILD)/baked/%.o $(LIB)
+	@mkdir -p $(@D)
+	$(SAY)$(LINK_ELF)
+
 # A board whose program fails, each in another way.
 FAULTS  := $(addprefix $(BUILD)/faults/,address instruction stack ram)
 $(FAULTS:%=%.o): $(BUILD)/faults/%.o: tests/boards/faults.c $(BUILD)/flags

@@ -55,13 +55,7 @@ check "it compiles for one core" other_build -DPICO_CORES=1
 for tool in node=nodejs npm=npm; do
     lacks "${tool%=*}" "${tool#*=}" "the Raspberry Pi Pico, emulated" && { finish; exit; }
 done
-if ! cmp -s $here/package-lock.json $client/package-lock.json ||
-        [ ! -d $client/node_modules/rp2040js ]; then
-    mkdir -p $client
-    cp $here/package.json $here/package-lock.json $here/.npmrc $client
-    check "the emulator is installed" npm ci --prefix $client --no-audit --no-fund \
-        --ignore-scripts --no-update-notifier --cache "$scratch/npm"
-fi
+check "the emulator is installed" $here/install.sh $client
 
 uf2_holds()     # UF2 IMAGE FAMILY: the blocks of the file hold the image
 {
@@ -78,6 +72,14 @@ process.exit(Buffer.concat(pages).equals(image) ? 0 : 1);' "$1" "$2" "$3"
 }
 check "the UF2 file holds the image" uf2_holds "$image.uf2" "$image.bin" e48bff56
 refuse "not another file" uf2_holds "$image.uf2" "$image.elf" e48bff56
+
+host_crcs()     # FIRST LAST [OPTION]...
+{
+    frames=$1:$2
+    shift 2
+    "$program" render "${scene%@*}" --texels "${scene#*@}" --size 320x240 --hash \
+        --format rgb565be --frames "$frames" "$@" | sed 's/^frame [0-9]* //'
+}
 
 # -- Pico 2 ----------------------------------------------------------------------------
 
@@ -100,6 +102,23 @@ refuse "with another type of image" altered $((block + 6))
 refuse "with another last word" altered $((block + 16))
 refuse "with another entry" altered 7
 refuse "the image of a Pico" starts_here "$image.bin"
+
+two_cores_draw()        # FIRST: two emulated Cortex-M33 draw the host's frames, each a fifth
+{
+    timeout 60 qemu-system-arm -M mps2-an521 -global sse-200.CPU0_DSP=on -nographic \
+        -monitor none -serial null -chardev file,id=said,path="$scratch/said" \
+        -semihosting-config enable=on,target=native,chardev=said \
+        -kernel build/pico2/two_cores/$scene.elf </dev/null || return 1
+    is "$(sed -n 's/^frame [0-9]* //p' "$scratch/said")" "$(host_crcs "$1" $(($1 + 1)))" &&
+        awk '$1 == "tiles" { least = ($2 + $3) / 5; good = $2 > least && $3 > least }
+            END { exit !good }' "$scratch/said"
+}
+if ! lacks qemu-system-arm qemu-system-arm "two Cortex-M33"; then
+    check "Pico 2: a program for two emulated cores builds" \
+        alone build -s BOARD=pico/pico2 build/pico2/two_cores/$scene.elf
+    check "Pico 2: two Cortex-M33 draw frames 60 and 61 of the host" two_cores_draw 60
+    refuse "and not 61 and 62" two_cores_draw 61
+fi
 
 # -- registers -------------------------------------------------------------------------
 
@@ -132,13 +151,6 @@ crcs()          # FRAMES...: CRCs of the panel's pictures
     for frame in "$@"; do
         sed -n "s/^frame 00$frame //p" "$scratch/said"
     done
-}
-host_crcs()     # FIRST LAST [OPTION]...
-{
-    frames=$1:$2
-    shift 2
-    "$program" render "${scene%@*}" --texels "${scene#*@}" --size 320x240 --hash \
-        --format rgb565be --frames "$frames" "$@" | sed 's/^frame [0-9]* //'
 }
 frames_are()    # FIRST: frames 60 and 61 equal the host's from FIRST on
 {

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Measures which functions of the core ports/pico runs in RAM: those that take a thousandth
-# or more of the instructions of a shipped scene's picture and tick, exact or at its
-# cheapest rungs, with code for a Cortex-M0+ or a Cortex-M4.
+# or more of the instructions of a scene's picture and tick, with code for a Cortex-M0+ or a
+# Cortex-M4: of the shipped scenes, exact or at their cheapest rungs, and of those of
+# ports/cortex-m/scenes.
 #
 #   tests/boards/pico/in_ram.sh [SCENE...]      prints a table of scenes and functions
 #   tests/boards/pico/in_ram.sh --write         writes it: ports/pico/in_ram.txt
@@ -14,15 +15,22 @@ write=
 [ "${1:-}" != --write ] || { write=1; shift; }
 [ $# -gt 0 ] || set -- $(for scene in $(build -s list-scenes); do
     echo "$scene" "$(sed -n "s/^$scene .*/$scene+cheap/p" tests/budgets/cheapest.txt)"
-done)
+done) $(basename -s .ini ports/cortex-m/scenes/*.ini)
 bake=$(build -s BOARD=pico list-bake)
 
+baked=
 measure()       # BOARD SCENE...
 {
     board=$1 target=in_ram_${1##*/}
     shift
+    if [ "$baked" ]; then               # baked for the other processor already
+        alone build -s BOARD="$board" TARGET="$target" BAKE="$bake" "build/$target/bake" &&
+            mkdir -p "build/$target/baked" && cp "$baked"/*.c "build/$target/baked" ||
+            return 1
+    fi
     alone build -s BOARD="$board" TARGET="$target" BAKE="$bake" SCENES="$*" elves >&2 ||
         return 1
+    baked=build/$target/baked
     for scene; do
         elf=build/$target/scenes/$scene.elf
         emulate "$elf" "$scratch/said" "$scratch/counts" || return 1

@@ -7,7 +7,8 @@ const CASET = 0x2a, PASET = 0x2b, RAMWR = 0x2c, MADCTL = 0x36, DISPON = 0x29, IN
 
 class Panel {
     constructor(width, height) {
-        Object.assign(this, { width, height, walk: 0, isOn: false, isInverted: false, bytes: 0, pixels: 0 });
+        Object.assign(this, { width, height, walk: 0, isOn: false, isInverted: false,
+                              bytes: 0, pixels: 0 });
         this.picture = new Uint16Array(width * height);
         this.command = 0;
         this.arguments = [];
