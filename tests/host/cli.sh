@@ -220,6 +220,25 @@ done <ticks
 same "each costs a tick what the plan says" "$(cat again)" "$(cat said)"
 same "the first is the scene's own and the dearest" "$(sort -rn said | head -1)" \
     "$(head -1 said)"
+# So are its values that take less RAM, which save the bytes that it says.
+bytes_of() {            # [OPTION]...
+    run plan harbour --size 320x240 "$@"
+    awk '/^bytes: frame/ { n += $3 }
+        /a tile.s scratch/ { gsub(",", ""); n += $4 + $6 }
+        END { print n }' out
+}
+run plan harbour --size 320x240 --csv
+grep '^ram,' out >rams
+same "a harbour's pool and mirror may be smaller" \
+    "$(awk -F, '$4 > 0 && $5 > 0 && NF == 5' rams | cut -d, -f2 | paste -sd' ')" \
+    "pool.cell_bits=8 mirror.colours=rgb565 mirror.size=quarter"
+whole=$(bytes_of)
+while IFS=, read -r _ setting _ bytes _; do
+    same "$setting saves the bytes of the plan" "$((whole - $(bytes_of --set "$setting")))" \
+        "$bytes"
+done <rams
+run plan minimal --size 320x240 --csv
+same "a scene without a pool or a mirror has no such values" "$(grep -c '^ram,' out)" 0
 cost_of() {
     run plan "$1" --csv --size 320x240 --set "quality.error_px=$2" \
         --set "quality.error_colour=$2"

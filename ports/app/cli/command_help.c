@@ -53,7 +53,7 @@ static const command_help_row rows[] = {
       "quality.error_colour.  A rung that the scene names (quality.visibility, shading,\n"
       "rate) is taken whatever its error.\n"
       "For pools and foam it also estimates the cost of a tick, and lists values of the\n"
-      "scene that make ticks cheaper; they change the water, so only --set takes them.\n",
+      "scene that make ticks cheaper or take less RAM, which only --set takes.\n",
       "", USUAL, NULL },
     { FOR_CHECK, "tidepool check SCENE [--write]\ntidepool check --vectors DIR",
       "Checks SCENE, a shipped scene or an INI file: every line, the files that it\n"

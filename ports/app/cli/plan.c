@@ -6,6 +6,7 @@
 #include <string.h>
 #include "app/files/log.h"
 #include "app/scene/plan_sheet.h"
+#include "app/scene/ram_rungs.h"
 #include "app/scene/world_rungs.h"
 #include "command_help.h"
 #include "commands.h"
@@ -21,6 +22,7 @@ typedef struct {
     loaded_scene *loaded;
     plan_sheet    sheet;
     world_rungs   world;
+    ram_rungs     ram;
 } plan;
 
 static double millions(double n)
@@ -45,6 +47,9 @@ static void print_csv(const plan *p)
     for (int i = 0; i < p->world.count; i++)
         printf("tick,%s,changes the world,%" PRIu64 ",\n", p->world.rung[i].text,
                p->world.now.mean - p->world.rung[i].cost.mean);
+    for (int i = 0; i < p->ram.count; i++)
+        printf("ram,%s,bytes,%zu,%.2f\n", p->ram.rung[i].text, p->ram.rung[i].bytes,
+               p->ram.rung[i].error);
     printf("exact,,,%" PRIu64 ",0.00\n", sheet->exact.cost);
     printf("total,,,%" PRIu64 ",%.2f\n", sheet->plan.price.cost,
            plan_error(sheet->plan.price));
@@ -144,6 +149,16 @@ static void print_world(const world_rungs *w)
     }
 }
 
+/* Prints the values of the scene that take less RAM. */
+static void print_ram(const ram_rungs *r)
+{
+    if (r->count)
+        puts("less RAM, by --set; off at tick 60:");
+    for (int i = 0; i < r->count; i++)
+        printf(" %zu KB, off %.2f of 255: %s\n", r->rung[i].bytes / 1024, r->rung[i].error,
+               r->rung[i].text);
+}
+
 static int run(const options *o)
 {
     loaded_scene s;
@@ -157,13 +172,15 @@ static int run(const options *o)
     } else if (!code) {
         plan_sheet_make(&p.sheet, &s);
         p.world = world_rungs_find(&s, TP_PROCESSOR_M4);
-        if (o->csv) {
+        code = ram_rungs_find(&p.ram, &s);
+        if (!code && o->csv) {
             print_csv(&p);
-        } else {
+        } else if (!code) {
             print_head(&p, o);
             print_kinds(&p);
             print_total(&p);
             print_world(&p.world);
+            print_ram(&p.ram);
         }
     }
     loaded_scene_close(&s);
