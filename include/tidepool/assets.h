@@ -101,7 +101,7 @@ typedef struct {
     X(dome, 5, uint32_t)        /* a generated sky */ \
     X(light, 19, uint32_t)      /* fast water: Fresnel's share, lobes, mirrored skies */ \
     X(ripples, 2, uint32_t)     /* slope variance of the ripples' mipmap levels */ \
-    X(rows, 20, int32_t)        /* rows of the water's grid, and their slope variance */
+    X(rows, 21, int32_t)        /* rows of the water's grid, and their slope variance */
 
 typedef enum {
 #define X(name, numbers, type) TP_TABLE_##name,

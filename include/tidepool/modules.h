@@ -129,10 +129,14 @@ extern const struct tp_water_swells tp_water_baked_swells;
     X(cube_map)         /* fast water's map of a cube sky */ \
     X(fast_triangles)   /* the water's, for quality.triangles */ \
     X(fast_solids)      /* the boat's, for quality.solids */ \
+    X(wide_solids)      /* solids whose textures need perspective */ \
+    X(coast_floor)      /* the floor of coastal water, seen through the water */ \
+    X(upward_rays)      /* rays in the water that go up: eyes in it, or below its crests */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
     X(exact_waves)      /* exact vertices of any water, */ \
     X(exact_corners)    /* the same of cells that are clipped, */ \
     X(level_waves)      /* of water without swells */ \
+    X(row_variance)     /* slope variance of waves that rows leave out, for water.rough */ \
     X(fast_waves)       /* vertices in 32 bits, for quality.waves */ \
     X(packed_rows)      /* means of rgb565 pixels, for quality.blending */ \
     X(packed_waves)     /* vertices by packed sines, for quality.normals */ \

@@ -178,7 +178,7 @@ void tp_frame_place_slopes(tp_frame *frame);
  * as dropped if the frame's numbers are others.  tp_frame_pack_rows returns the rows placed
  * last as a table without its numbers' memory: `entries` has TP_FRAME_ROWS_WORDS, *count
  * receives how many are filled, 0 if such water cannot be baked. */
-#define TP_ROWS_NUMBERS 20
+#define TP_ROWS_NUMBERS 21
 #define TP_FRAME_ROWS_WORDS(rows) (5 + 7 * (rows) + 3 * (TP_ROUGH_STEPS + 1))
 bool tp_frame_rows_are_baked(const tp_assets *assets, uint32_t vertices);  /* this budget */
 void tp_frame_use_baked_rows(tp_frame *frame);
@@ -385,6 +385,22 @@ struct tp_draw_tone_rgb565be {
 struct tp_draw_exact_triangles {
     tp_triangle_drawer *draw;
 };
+
+/* Solid triangles whose s and t need perspective.  Without it they are affine, and counted. */
+struct tp_draw_wide_solids {
+    tp_solid_drawer *draw;
+};
+
+/* Lets solids of the tile have perspective, and counts triangles that the program cannot
+ * draw. */
+static inline void tp_frame_allow_wide_solids(const tp_frame *frame, tp_gbuffer *tile,
+                                              uint32_t *dropped)
+{
+    const struct tp_draw_wide_solids *wide = frame->program->draw.wide_solids;
+
+    tile->draw_wide = wide ? wide->draw : NULL;
+    tile->dropped = dropped;
+}
 
 /* The water's triangles by cheaper arithmetic, for quality.triangles = fast. */
 struct tp_draw_fast_triangles {

@@ -224,4 +224,5 @@ static tp_grid_box cells_box(tp_frame *frame, uint32_t j, uint32_t first, uint32
 
 const struct tp_draw_cells tp_draw_cells = { .draw_row = draw_row, .box = cells_box };
 
+const struct tp_draw_wide_solids tp_draw_wide_solids = { tp_tri_solid_wide };
 const struct tp_draw_exact_triangles tp_draw_exact_triangles = { tp_tri_water };

@@ -38,7 +38,7 @@ static void collect_numbers(const tp_frame *frame, int32_t to[TP_ROWS_NUMBERS])
         turn->z.x, turn->z.y, turn->z.z,
         (int32_t)frame->config.width, (int32_t)frame->config.height,
         (int32_t)frame->grid_view.vertices, frame->scene->quality.geometry,
-        sum_swells(frame->surface.deep),
+        sum_swells(frame->surface.deep), frame->scene->water.rough != 0,
         frame->grid_view.detail.length || frame->surface.coastal,
     };
 

@@ -61,6 +61,20 @@ static void choose_weights(const tp_frame *frame, tp_grid *grid)
     grid->half_px = half_px;
 }
 
+/* Without rough water no stage reads the variance. */
+static void fill_variance(tp_frame *frame, const tp_grid *grid)
+{
+    const struct tp_draw_row_variance *variance = frame->program->draw.row_variance;
+    const bool rough =
+        frame->scene->water.rough && tp_surface_has_swells(&frame->surface);
+
+    if (rough && variance)
+        variance->fill(grid, frame->buffers.filtered);
+    else if (frame->buffers.filtered->has_row)
+        tp_filtered_waves_clear(frame->buffers.filtered);
+    frame->stats.dropped += rough && !variance;
+}
+
 static void place_rows(tp_frame *frame, tp_grid *grid)
 {
     const struct tp_draw_grid_rows *by = frame->program->draw.grid_rows;
@@ -71,7 +85,7 @@ static void place_rows(tp_frame *frame, tp_grid *grid)
     }
     by->place(grid, &frame->grid_view);
     if (frame->buffers.filtered)
-        by->fill_variance(grid, frame->buffers.filtered);
+        fill_variance(frame, grid);
 }
 
 void tp_frame_begin_grid(tp_frame *frame)

@@ -141,7 +141,8 @@ tp_gbuffer tp_planar_gbuffer(const tp_planar_memory *store, const tp_planar_map 
 
     return (tp_gbuffer){ map->x0, y0, map->x1, y1, store->cols, store->samples,
                          store->samples + plane, store->samples + 2 * plane,
-                         store->samples + 3 * plane, false, 0, NULL, 0, 0, NULL };
+                         store->samples + 3 * plane, false, 0, NULL, 0, 0,
+                         NULL, NULL };
 }
 
 /* The words past the map's box are free; so are, of `left` rows, those that come after the
@@ -162,7 +163,8 @@ tp_gbuffer tp_planar_tall_gbuffer(const tp_planar_memory *store, const tp_planar
     if (rows <= TP_PLANAR_BAND)
         return tp_planar_gbuffer(store, map, y0);
     return (tp_gbuffer){ map->x0, y0, map->x1, y0 + (int32_t)rows, wide, key, key + plane,
-                         key + 2 * plane, key + 3 * plane, false, 0, NULL, 0, 0, NULL };
+                         key + 2 * plane, key + 3 * plane, false, 0, NULL, 0, 0,
+                         NULL, NULL };
 }
 
 /* -- world and picture positions ----------------------------------------------------- */

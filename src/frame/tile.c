@@ -19,10 +19,11 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, tp_tile *ti
     tp_gbuffer samples = {
         (int32_t)tile->x0, rows.y0, (int32_t)tile->x1, rows.y1, frame->config.tile_width,
         at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL, 0, 0,
-        &tile->dropped,
+        NULL, NULL,
     };
 
     tp_frame_allow_outlines(frame, &samples);
+    tp_frame_allow_wide_solids(frame, &samples, &tile->dropped);
     return samples;
 }
 

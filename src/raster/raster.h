@@ -98,8 +98,15 @@ enum { TP_MARK_SKY = 0, TP_MARK_WATER = 1, TP_MARK_SOLID = 2 };
 #define TP_MARK(key)  ((key) & 0xffu)
 #define TP_ZI(key)    ((key) >> 1 & 0x7fffff80u)                    /* back to Q1.31 */
 
+/* Draws a solid triangle.  `mark`: stencil value; `face`: face number in the samples;
+ * `opacity`: number of pixels drawn out of 16, in an ordered pattern. */
+struct tp_gbuffer;
+typedef void tp_solid_drawer(const struct tp_gbuffer *tile, const tp_screen_vertex *a,
+                             const tp_screen_vertex *b, const tp_screen_vertex *c,
+                             uint32_t mark, uint32_t face, int opacity);
+
 /* The G-buffer of a tile: four planes, row-major from (x0, y0). */
-typedef struct {
+typedef struct tp_gbuffer {
     int32_t   x0, y0, x1, y1;   /* bounds of the tile, px; x1 and y1 not included */
     uint32_t  stride;           /* samples per row */
     uint32_t *key;              /* depth << 8 | stencil */
@@ -111,7 +118,10 @@ typedef struct {
     uint32_t *outline;          /* a second layer of four planes, at the same distances:
                                  * samples of outlines, key 0 elsewhere; NULL: none */
     int32_t   outline_x0, outline_x1;   /* columns that may have outlines, if there is one */
-    uint32_t *dropped;          /* tp_tile.dropped; NULL: not counted */
+    tp_solid_drawer *draw_wide; /* solids whose s and t need perspective; NULL: they are
+                                 * affine, and counted */
+    uint32_t *dropped;          /* number of triangles that the program cannot draw; NULL:
+                                 * not counted */
 } tp_gbuffer;
 
 void tp_gbuffer_clear(const tp_gbuffer *tile);
@@ -144,11 +154,8 @@ static inline void tp_cell_draw_halves(tp_triangle_drawer *draw, const tp_gbuffe
         draw(tile, &left[0], &right[1], &right[0]);
 }
 
-/* Draws a solid triangle.  `mark`: stencil value; `face`: face number in the samples;
- * `opacity`: number of pixels drawn out of 16, in an ordered pattern. */
-void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
-                  const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark,
-                  uint32_t face, int opacity);
+tp_solid_drawer tp_tri_solid;
+tp_solid_drawer tp_tri_solid_wide;      /* for tp_gbuffer.draw_wide */
 
 /* Draws a solid triangle's front side at a lower price, for the fast rung.  n[0] and n[1]
  * of the vertices are light within +-504; t of the samples is not set.  Returns false, and

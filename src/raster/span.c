@@ -291,29 +291,52 @@ static bool has_st(const tp_screen_vertex *a, const tp_screen_vertex *b,
     return a->s != b->s || a->s != c->s || a->t != b->t || a->t != c->t;
 }
 
+/* Draws a solid triangle that is set up; `exact` is a literal. */
+TP_ALWAYS_INLINE void draw_solid(const tp_tri *tri, const tp_gbuffer *tile, uint32_t mark,
+                                 uint32_t face, int opacity, int exact)
+{
+    span_painter p;
+
+    p.tri = tri;
+    p.mark = mark;
+    p.face = face;
+    p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
+    set_depth_and_st_gradients(&p, exact);
+    p.n[0] = normal_gradient(tri, 0, NORMAL_SHIFT);
+    p.n[1] = normal_gradient(tri, 1, NORMAL_SHIFT);
+    p.n[2] = normal_gradient(tri, 2, NORMAL_SHIFT);
+    fill_triangle_rows(&p, tile, SOLID, exact);
+}
+
+/* Sets the triangle up again: a pointer to the set-up from another function would slow down
+ * the small triangles, which are most. */
+void tp_tri_solid_wide(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                       const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark,
+                       uint32_t face, int opacity)
+{
+    tp_tri tri;
+
+    if (tp_tri_begin(&tri, tile, a, b, c))
+        draw_solid(&tri, tile, mark, face, opacity, 1);
+}
+
 void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
                   const tp_screen_vertex *b, const tp_screen_vertex *c, uint32_t mark,
                   uint32_t face, int opacity)
 {
     TP_ASSERT(mark >= TP_MARK_SOLID && mark <= 0xff && opacity >= 0);
-    tp_tri  tri;
-    span_painter p;
+    tp_tri tri;
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
-    const bool exact = TP_SPAN_STEP && tri.perspective && has_st(a, b, c);
-    p.tri = &tri;
-    p.mark = mark;
-    p.face = face;
-    p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
-    set_depth_and_st_gradients(&p, exact);
-    p.n[0] = normal_gradient(&tri, 0, NORMAL_SHIFT);
-    p.n[1] = normal_gradient(&tri, 1, NORMAL_SHIFT);
-    p.n[2] = normal_gradient(&tri, 2, NORMAL_SHIFT);
-    if (exact)
-        fill_triangle_rows(&p, tile, SOLID, 1);
-    else
-        fill_triangle_rows(&p, tile, SOLID, 0);
+    const bool wide = TP_SPAN_STEP && tri.perspective && has_st(a, b, c);
+    if (wide && tile->draw_wide) {
+        tile->draw_wide(tile, a, b, c, mark, face, opacity);
+        return;
+    }
+    if (wide && tile->dropped)
+        ++*tile->dropped;
+    draw_solid(&tri, tile, mark, face, opacity, 0);
 }
 
 void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,

@@ -118,7 +118,8 @@ typedef struct {
 } tp_wall_material;
 
 /* Caustics map: the light that falls through the surface on to the floor. */
-typedef struct {
+typedef struct tp_caustic {
+    int32_t (*sample)(const struct tp_caustic *c, tp_vec3 at);  /* 256 is even light */
     const uint16_t *light;      /* cells x cells entries, 256 is even light */
     tp_fx    x, z;              /* north-west corner, m */
     uint32_t cells;
@@ -143,7 +144,9 @@ typedef struct {
     tp_fx   x0, x1, z0, z1;     /* walls, m */
     const tp_coastal_water *coastal; /* coastal water whose floor counts; NULL:
                                       * `floor_plane` counts */
+    const struct tp_draw_coast_floor *coast_floor;      /* not NULL for coastal water */
     tp_floor_at (*sample_floor)(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
+    const struct tp_draw_upward_rays *upward_rays;  /* NULL: the program lacks them */
     tp_floor_plane floor_plane;
     tp_wall_material wall, floor;
     uint32_t deep;              /* colour of bottomless water, 0x00RRGGBB */

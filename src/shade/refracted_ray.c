@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* View rays in the water: intersection with floor or walls, and the light from the hit
  * point; see optics.h and refracted_ray.h. */
-#include "shade/caustic_light.h"
 #include "shade/env.h"
 #include "shade/material.h"
 #include "shade/refracted_ray.h"
@@ -74,14 +73,9 @@ tp_floor_plane tp_underwater_sample_floor(const tp_underwater *in, tp_vec3 at)
 /* Finds the floor's tangent plane near the hit point by two iterations; after them the
  * curvature of a beach leaves an error below a hundredth of its depth.  A ray that goes
  * up meets the floor after its reflection at the surface. */
-tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
-                                              const tp_refracted_ray *ray)
+static tp_floor_plane find_coast_floor(const tp_underwater *in, const tp_refracted_ray *ray)
 {
-    const tp_underwater *in = shade->underwater;
     tp_ray down = { ray->way.x, -tp_abs(ray->way.y), ray->way.z, 0 };
-
-    if (!in->coastal)
-        return in->floor_plane;
     tp_floor_plane here = tp_underwater_sample_floor(in, ray->at), bed = here;
     for (int n = 0; n < 2; n++) {
         tp_ground under = sample_ground(&bed, ray->at);
@@ -95,13 +89,23 @@ tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
     return bed;
 }
 
+const struct tp_draw_coast_floor tp_draw_coast_floor = { find_coast_floor };
+
+tp_floor_plane tp_underwater_find_floor_plane(const tp_shade *shade,
+                                              const tp_refracted_ray *ray)
+{
+    const tp_underwater *in = shade->underwater;
+
+    return in->coastal ? in->coast_floor->find(in, ray) : in->floor_plane;
+}
+
 /* -- light --------------------------------------------------------------------------- */
 
 /* Returns the factor of a colour in the light at a point, Q8. */
 static inline uint32_t light_factor(const tp_shade *shade, int32_t nl, tp_vec3 at)
 {
     int32_t sun = (256 - shade->ambient) * (nl < 16384 ? nl : 16384) >> 14;
-    int32_t light = shade->caustic ? caustic_sample(shade->caustic, at) : 256;
+    int32_t light = shade->caustic ? shade->caustic->sample(shade->caustic, at) : 256;
     return (uint32_t)(shade->ambient + (sun * light >> 8));
 }
 
@@ -161,8 +165,8 @@ typedef struct {
 
 /* Describes the hit point.  Walls are lit from inside: their normal points against the
  * ray. */
-static inline spot describe_hit_point(const tp_shade *shade, int32_t floor_nl, hit h,
-                                      tp_vec3 from, tp_ray way, tp_fx eye_distance)
+TP_ALWAYS_INLINE spot describe_hit_point(const tp_shade *shade, int32_t floor_nl, hit h,
+                                         tp_vec3 from, tp_ray way, tp_fx eye_distance)
 {
     const tp_underwater *in = shade->underwater;
     tp_vec3 at = point_along_ray(from, way, h.way);
@@ -369,6 +373,8 @@ uint32_t tp_underwater_shade_underside(const tp_shade *shade, const tp_floor_pla
     return tp_colour_mix(sky, mirrored, share);
 }
 
+const struct tp_draw_upward_rays tp_draw_upward_rays = { tp_underwater_shade_underside };
+
 uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *bed,
                              const tp_refracted_ray *ray, uint32_t body)
 {
@@ -381,7 +387,8 @@ uint32_t tp_underwater_trace(const tp_shade *shade, const tp_floor_plane *bed,
     tp_fx   way = tp_underwater_closing_distance(deep, ray->way.y);
     tp_refracted_ray on = { point_along_ray(ray->at, ray->way, way), ray->way,
                             tp_fx_saturate((int64_t)ray->far + way) };
-    uint32_t colour =
-        tp_underwater_shade_underside(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body);
+    const struct tp_draw_upward_rays *up = shade->underwater->upward_rays;
+    const uint32_t colour =
+        up ? up->shade_underside(shade, bed, &on, (tp_ray){ 0, 16384, 0, 0 }, body) : body;
     return tp_absorb_apply(&shade->underwater->absorb, colour, body, way);
 }

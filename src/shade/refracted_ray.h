@@ -101,6 +101,20 @@ int32_t tp_underwater_floor_light_cosine(const tp_underwater *in, tp_fx rise_x,
 /* Returns the tangent plane of coastal water's floor at a point, without N.L. */
 tp_floor_plane tp_underwater_sample_floor(const tp_underwater *in, tp_vec3 at);
 
+/* -- parts of a program -------------------------------------------------------------- */
+
+/* Returns the floor plane of coastal water near the point where a ray would hit it. */
+struct tp_draw_coast_floor {
+    tp_floor_plane (*find)(const tp_underwater *in, const tp_refracted_ray *ray);
+};
+
+/* tp_underwater_shade_underside, for rays that meet the surface from below. */
+struct tp_draw_upward_rays {
+    uint32_t (*shade_underside)(const tp_shade *shade, const tp_floor_plane *plane,
+                                const tp_refracted_ray *ray, tp_ray normal,
+                                uint32_t deep_colour);
+};
+
 /* -- colour along a ray -------------------------------------------------------------- */
 
 /* Returns the floor, as a plane, near the point where the ray would hit the floor. */

@@ -119,6 +119,4 @@ void tp_fan_place_rows(tp_grid *grid, const tp_grid_view *view)
         fan->wind[i] = wind_share(surface, i);
 }
 
-const struct tp_draw_grid_rows tp_draw_grid_rows = {
-    tp_fan_place_rows, tp_fan_fill_variance,
-};
+const struct tp_draw_grid_rows tp_draw_grid_rows = { tp_fan_place_rows };

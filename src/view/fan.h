@@ -225,8 +225,13 @@ tp_coastal_spacing tp_fan_row_spacing(const tp_fan *fan, const tp_fan_row *row,
 tp_slope_variance tp_fan_row_variance(const tp_grid *grid, const tp_fan_row *row,
                                       tp_fx unseen);
 
-/* Fills the slope variance of the rows placed last.  `filtered` keeps the variance if rows
- * and swells are those of the last call; it must be cleared or filled by the same fan. */
+/* The slope variance of the rows, fan_filter.c.  Fills the variance of the rows placed last.
+ * `filtered` keeps the variance if rows and swells are those of the last call; it must be
+ * cleared or filled by the same fan. */
+struct tp_draw_row_variance {
+    void (*fill)(const tp_grid *grid, tp_filtered_waves *filtered);
+};
+
 void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered);
 
 /* fan_tank.c: the same for a tank; tp_fan_tank_end returns the place of the rows' end. */

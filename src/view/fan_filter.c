@@ -165,3 +165,5 @@ void tp_fan_fill_variance(const tp_grid *grid, tp_filtered_waves *filtered)
     }
     tp_filtered_waves_finish(filtered);
 }
+
+const struct tp_draw_row_variance tp_draw_row_variance = { tp_fan_fill_variance };

@@ -169,7 +169,6 @@ struct tp_filtered_waves;
 /* Places rows that are not baked, and fills their slope variance; fan.c. */
 struct tp_draw_grid_rows {
     void (*place)(tp_grid *grid, const tp_grid_view *view);
-    void (*fill_variance)(const tp_grid *grid, struct tp_filtered_waves *filtered);
 };
 
 static inline bool tp_grid_vertex_is_dry(const tp_grid *grid, uint32_t i, uint32_t j)

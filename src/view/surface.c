@@ -256,6 +256,22 @@ tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z)
                : tp_surface_displaced(surface, x, z).position;
 }
 
+tp_surface_point tp_surface_coastal_near(const tp_surface *s, tp_fx x, tp_fx z, tp_fx off[2])
+{
+    const tp_fx d = TP_FX_ONE / 32, x0 = tp_fx_add_sat(x, off[0]),
+                z0 = tp_fx_add_sat(z, off[1]);
+    const tp_vec3 at = tp_surface_displace(s, x0, z0);
+    const tp_vec3 east = tp_surface_displace(s, tp_fx_add_sat(x0, d), z0);
+    const tp_vec3 south = tp_surface_displace(s, x0, tp_fx_add_sat(z0, d));
+    tp_surface_point p = { .position = at };
+
+    tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
+                            &p.slope_z);
+    off[0] = tp_fx_sub_sat(x0, at.x);
+    off[1] = tp_fx_sub_sat(z0, at.z);
+    return p;
+}
+
 tp_fx tp_surface_rough_height(const tp_surface *surface, tp_fx x, tp_fx z)
 {
     tp_vec3 first = tp_surface_displace(surface, x, z);

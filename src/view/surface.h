@@ -69,6 +69,11 @@ tp_surface_point tp_surface_coastal_sample(const tp_surface *surface, tp_fx x, t
 tp_surface_point tp_surface_displaced(const tp_surface *surface, tp_fx x, tp_fx z);
 tp_vec3 tp_surface_displace(const tp_surface *surface, tp_fx x, tp_fx z);
 
+/* Returns the surface point of coastal water near (x, z).  Rest positions crowd at a
+ * breaking crest and would leave dark gaps behind it, so the point's rest position lies
+ * `off` away from (x, z), as the displacement of the point before tells. */
+tp_surface_point tp_surface_coastal_near(const tp_surface *s, tp_fx x, tp_fx z, tp_fx off[2]);
+
 /* Returns the water level at a place, by one step of the search of [E1].  The error shows
  * only in steep waves; spray uses the level, and there has specks enough to hide it. */
 tp_fx tp_surface_rough_height(const tp_surface *surface, tp_fx x, tp_fx z);

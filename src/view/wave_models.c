@@ -246,6 +246,7 @@ const struct tp_water_coastal tp_water_coastal = {
     .breaking = tp_coastal_displace_point,
     .above = tp_surface_coastal_sample,
     .smooth = tp_coastal_displace_no_overhang,
+    .near = tp_surface_coastal_near,
     .floor = tp_coastal_floor,
     .layout = tp_grid_layout_coastal,
     .row = coastal_grid_evaluate_row,

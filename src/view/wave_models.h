@@ -182,6 +182,7 @@ struct tp_water_coastal {
                                  const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0);
     tp_coastal_point (*smooth)(const tp_coastal_water *coastal,
                                const tp_turn phases[TP_WAVES], tp_fx x0, tp_fx z0);
+    tp_surface_point (*near)(const tp_surface *surface, tp_fx x, tp_fx z, tp_fx off[2]);
     tp_floor_at (*floor)(const tp_coastal_water *coastal, tp_fx x, tp_fx z);
     void (*layout)(tp_grid *grid, tp_arena *arena, uint32_t vertices);
     /* Evaluates vertices of row j into vertex[needed.first] and on. */

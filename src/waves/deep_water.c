@@ -32,9 +32,9 @@ tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0,
 
 TP_ALWAYS_INLINE tp_surface_point displace_point_with_flags(const tp_deep_water *deep,
                                                             const tp_turn *phases,
-                                                            tp_fx x0, tp_fx z0,
-                                                            int sharpened, int crossed)
+                                                            tp_fx x0, tp_fx z0, int crossed)
 {
+    const bool sharpened = deep->sharpened;
     tp_swell_sum sum = { 0 };
 
     for (uint32_t i = 0; i < deep->count; i++) {
@@ -51,11 +51,8 @@ tp_surface_point tp_deep_water_displace_point(const tp_deep_water *deep,
                                               tp_fx z0)
 {
     TP_ASSERT(deep->count <= TP_WAVES);
-    if (deep->sharpened)
-        return deep->crossed ? displace_point_with_flags(deep, phases, x0, z0, 1, 1)
-                             : displace_point_with_flags(deep, phases, x0, z0, 1, 0);
-    return deep->crossed ? displace_point_with_flags(deep, phases, x0, z0, 0, 1)
-                         : displace_point_with_flags(deep, phases, x0, z0, 0, 0);
+    return deep->crossed ? displace_point_with_flags(deep, phases, x0, z0, 1)
+                         : displace_point_with_flags(deep, phases, x0, z0, 0);
 }
 
 /* -- compression --------------------------------------------------------------------- */

@@ -138,7 +138,8 @@ static inline test_tile tile_of(int32_t x0, int32_t y0, int32_t x1, int32_t y1,
     memset(tile.block, 0xa5, 4 * tile.words * sizeof *tile.block);
     tile.samples = (tp_gbuffer){ x0, y0, x1, y1, stride, tile.block,
                                  tile.block + tile.words, tile.block + 2 * tile.words,
-                                 tile.block + 3 * tile.words, false, 0, NULL, 0, 0, NULL };
+                                 tile.block + 3 * tile.words, false, 0, NULL, 0, 0,
+                                 tp_tri_solid_wide, NULL };
     tp_gbuffer_clear(&tile.samples);
     return tile;
 }

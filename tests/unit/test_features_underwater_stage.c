@@ -83,7 +83,7 @@ static scene scene_inside(double low, double high)
     tp_underwater *in = &water;
     const double w = chance_double(&chance, 0.5, 6), d = chance_double(&chance, 0.5, 6);
 
-    *in = (tp_underwater){ .walled = false };
+    *in = (tp_underwater){ .walled = false, .upward_rays = &tp_draw_upward_rays };
     s.shade.underwater = in;
     s.box = (ref_water_box){ -w, w, -d, d, chance_double(&chance, 0.2, 4) };
     s.eye = (ref_vec){ chance_double(&chance, -w, w), chance_double(&chance, low, high),

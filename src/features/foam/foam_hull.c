@@ -109,7 +109,7 @@ static int64_t widest_beta(const tp_foam_maker *m)
 
 /* The cells lie in a box around the hull, and in a box along it, from the bow to the wake's
  * end. */
-static bool hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to)
+bool tp_foam_maker_hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to)
 {
     const tp_foam_hull *h = &m->hull;
     const int64_t dz = (int64_t)m->z - h->z, cells = m->foam->cells, cell = m->foam->cell;
@@ -169,4 +169,4 @@ static void find_hull(tp_foam_maker *m)
     h->foam_radius = h->pace != 0 ? (ARM_LONG + 1) * h->length : h->length + h->beam;
 }
 
-const struct tp_water_foam_hull tp_water_foam_hull = { find_hull, hull_gain, hull_range };
+const struct tp_water_foam_hull tp_water_foam_hull = { find_hull, hull_gain };

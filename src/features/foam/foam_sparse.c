@@ -152,8 +152,7 @@ static uint32_t visit_row(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
     uint32_t hull[2] = { 0, 0 };
 
     clear_entering_cells(v, cover, foam->cells);
-    if (!v->make.has_hull
-        || !v->make.by->foam_hull->range(&v->make, v->low_x, &hull[0], &hull[1]))
+    if (!tp_foam_maker_hull_range(&v->make, v->low_x, &hull[0], &hull[1]))
         hull[0] = hull[1] = 0;
     if (!due && hull[0] == hull[1])
         return fade_row(v, cover, foam->cells);

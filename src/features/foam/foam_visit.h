@@ -94,10 +94,11 @@ struct tp_water_foam_walls {
 struct tp_water_foam_hull {
     void (*find)(tp_foam_maker *m);         /* in rest positions */
     uint32_t (*gain)(const tp_foam_maker *m, tp_fx x);
-    /* Sets the cells from..to, counted from the cell at x, that the hull may reach in the
-     * row; false: none. */
-    bool (*range)(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to);
 };
+
+/* Sets the cells from..to, counted from the cell at x, that the hull may reach in the row;
+ * false: none. */
+bool tp_foam_maker_hull_range(const tp_foam_maker *m, tp_fx x, uint32_t *from, uint32_t *to);
 
 /* Foam where drops fall, foam_access.c. */
 struct tp_water_foam_splashes {

@@ -110,12 +110,13 @@ static bool has_outlines(const tp_scene *scene)
 }
 
 /* Returns the next band. */
-static tp_gbuffer begin_band(const tp_frame *frame, const mirror *m, int32_t y0)
+static tp_gbuffer begin_band(tp_frame *frame, const mirror *m, int32_t y0)
 {
     const bool outlined = m->outlined && frame->outlined && has_outlines(frame->scene);
     tp_gbuffer band = tp_planar_tall_gbuffer(&m->store, &m->look.map, y0, outlined ? 8 : 4);
 
     tp_gbuffer_clear(&band);
+    tp_frame_allow_wide_solids(frame, &band, &frame->stats.dropped);
     if (outlined)
         tp_frame_allow_outlines(frame, &band);
     return band;
@@ -318,10 +319,11 @@ static bool draw_face(tp_frame *frame, uint32_t *samples, tp_view *view, uint32_
     for (int32_t y0 = 0; y0 < WIDE; y0 += BAND) {
         tp_gbuffer band = { 0, y0, WIDE, y0 + BAND, WIDE, samples, samples + plane,
                             samples + 2 * plane, samples + 3 * plane, false, 0, NULL, 0, 0,
-                            NULL };
+                            NULL, NULL };
         if (!tp_box_overlaps_tile(&box, &band))
             continue;
         tp_gbuffer_clear(&band);
+        tp_frame_allow_wide_solids(frame, &band, &frame->stats.dropped);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < y0 + BAND; y++)
             accumulate_row(frame, &band, y, texels + y / 2 * TP_OBJECT_CUBE_SIDE);

@@ -12,6 +12,7 @@
 #include "features/underwater/underwater.h"
 #include "frame/frame.h"
 #include "quality/prices.h"
+#include "shade/caustic_light.h"
 #include "shade/refracted_ray.h"
 #include "shade/slope.h"
 
@@ -73,31 +74,11 @@ static tp_fall trace_sun_fall(const tp_shade *shade)
     return (tp_fall){ -shade->world.lx * 65536 / down, -shade->world.lz * 65536 / down };
 }
 
-/* Returns the surface point of coastal water near (x, z).  Rest positions crowd at a
- * breaking crest and would leave dark gaps behind it, so the point's rest position lies
- * `off` away from (x, z), as the displacement of the point before tells. */
-static tp_surface_point displaced_coastal_point(const tp_surface *s, tp_fx x, tp_fx z,
-                                                tp_fx off[2])
-{
-    const tp_fx d = TP_FX_ONE / 32, x0 = tp_fx_add_sat(x, off[0]),
-                z0 = tp_fx_add_sat(z, off[1]);
-    const tp_vec3 at = tp_surface_displace(s, x0, z0);
-    const tp_vec3 east = tp_surface_displace(s, tp_fx_add_sat(x0, d), z0);
-    const tp_vec3 south = tp_surface_displace(s, x0, tp_fx_add_sat(z0, d));
-    tp_surface_point p = { .position = at };
-
-    tp_slopes_from_tangents(tp_vec3_sub(east, at), tp_vec3_sub(south, at), &p.slope_x,
-                            &p.slope_z);
-    off[0] = tp_fx_sub_sat(x0, at.x);
-    off[1] = tp_fx_sub_sat(z0, at.z);
-    return p;
-}
-
 /* Returns the surface point with the rest position (x, z), or of coastal water near it. */
 static tp_surface_point displaced_surface_point(const tp_surface *s, tp_fx x, tp_fx z,
                                                 tp_fx off[2])
 {
-    tp_surface_point p = s->coastal ? displaced_coastal_point(s, x, z, off)
+    tp_surface_point p = s->coastal ? s->by->coastal->near(s, x, z, off)
                                     : tp_surface_displaced(s, x, z);
 
     if (tp_surface_has_rings_or_pools(s)) {
@@ -289,7 +270,7 @@ static void begin_caustic_map(tp_frame *frame, void *mine)
     frame->stats.dropped += !coastal && tp_surface_has_swells(&frame->surface)
                             && !frame->surface.by->samples;
     map->look = (tp_caustic){
-        .light = map->light, .x = r.x0, .z = r.z0, .cells = cells,
+        .sample = caustic_sample, .light = map->light, .x = r.x0, .z = r.z0, .cells = cells,
         .per_metre_x = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(wide + !wide)),
         .per_metre_z = (uint32_t)(((uint64_t)cells << 32) / (uint32_t)(deep + !deep)),
         .per_depth = coastal ? UINT32_MAX

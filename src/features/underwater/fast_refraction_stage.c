@@ -353,9 +353,10 @@ static void shade_deep_water(const tp_shade *shade, uint32_t lit, int32_t count,
     }
 }
 
-static void mix_objects(const tp_shade *shade, const tp_planar_map *map, tp_run *run,
+static void mix_objects(const tp_shade *shade, const tp_clear_water *clear, tp_run *run,
                         int32_t i, int32_t stop)
 {
+    const tp_planar_map *map = clear->refraction_map;
     const uint32_t zi = tp_key_zi(run->key[i + (stop - i) / 2]);
     const tp_fx far = tp_fx_saturate(tp_depth_from_zi(shade->underwater->zi_near, zi));
 
@@ -363,10 +364,8 @@ static void mix_objects(const tp_shade *shade, const tp_planar_map *map, tp_run 
         || (run->x + stop) / 2 + 64 < map->x0 || (run->x + i) / 2 - 64 >= map->x1)
         return;
     for (; i < stop; i++)
-        run->colour[i] = tp_refraction_map_mix(shade, map, run, i, far,
-                                               -4 * tp_high16(run->slope[i]),
-                                               -4 * tp_low16(run->slope[i]),
-                                               run->colour[i]);
+        run->colour[i] = clear->mix(shade, map, run, i, far, -4 * tp_high16(run->slope[i]),
+                                    -4 * tp_low16(run->slope[i]), run->colour[i]);
 }
 
 TP_ALWAYS_INLINE void shade_run(const tp_shade *shade, tp_run *run, int shifted)
@@ -385,7 +384,7 @@ TP_ALWAYS_INLINE void shade_run(const tp_shade *shade, tp_run *run, int shifted)
         else
             tp_fast_floor_shade(shade, &block, run);
         if (clear->refraction_map)
-            mix_objects(shade, clear->refraction_map, run, i, stop);
+            mix_objects(shade, clear, run, i, stop);
     }
 }
 

@@ -37,7 +37,9 @@ typedef struct {
 /* Data of the clear water stages, in tp_run.mine. */
 typedef struct {
     const tp_planar_map *refraction_map;      /* refraction map, or NULL */
-    tp_fast_refraction fast;
+    uint32_t (*mix)(const tp_shade *shade, const tp_planar_map *map, const tp_run *run,
+                    int32_t i, tp_fx depth, int32_t nx, int32_t nz, uint32_t colour);
+    tp_fast_refraction fast;    /* mix: tp_refraction_map_mix, if there is a map */
 } tp_clear_water;
 
 /* fast_refraction.c.  Sets the numbers of the fast stage. */

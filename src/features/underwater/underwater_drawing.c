@@ -75,7 +75,9 @@ static void set_walls_and_floor(const tp_frame *frame, tp_underwater *in)
     in->island = tank && scene->tank.kind == TP_TANK_STONE;
     in->walled = tank && !in->island;
     in->floored = in->walled || (!tank && floor && frame->surface.coastal);
-    in->coastal = !tank && floor ? frame->surface.coastal : NULL;
+    in->coast_floor = frame->program->draw.coast_floor;
+    in->upward_rays = frame->program->draw.upward_rays;
+    in->coastal = !tank && floor && in->coast_floor ? frame->surface.coastal : NULL;
     in->sample_floor = in->coastal ? frame->surface.by->coastal->floor : NULL;
     in->x0 = r.x0;
     in->x1 = r.x1;
@@ -116,6 +118,16 @@ static bool has_stages_for_submerged_eye(const tp_frame *frame)
     return frame->program->stage.view && stage[UNDERSIDE] && stage[DEEP] && stage[ABSORB];
 }
 
+/* Rays go up in the water if the eye is below crests. */
+static void count_lacking_parts(tp_frame *frame, const tp_underwater *in)
+{
+    const bool floored = tp_has_floor(frame->scene) && !tp_frame_has_tank(frame);
+
+    frame->stats.dropped += floored && frame->surface.coastal && !in->coast_floor;
+    frame->stats.dropped += frame->projection.eye.y < tp_surface_height_bound(&frame->surface)
+                            && !in->upward_rays;
+}
+
 static void begin_underwater(tp_frame *frame, void *mine)
 {
     const tp_scene *scene = frame->scene;
@@ -133,6 +145,7 @@ static void begin_underwater(tp_frame *frame, void *mine)
     set_sun(&frame->shade, in);
     tp_underwater_set_view(in, &frame->shade, frame->projection.zi_near);
     set_walls_and_floor(frame, in);
+    count_lacking_parts(frame, in);
 }
 
 /* Sets the view's axes for the stage of walls: walls are drawn in every render view, and
@@ -346,6 +359,7 @@ static void draw_refraction_map(tp_frame *frame, const refraction *r, const tp_v
     for (int32_t y0 = map->y0; y0 < map->y1; y0 += TP_PLANAR_BAND) {
         tp_gbuffer band = tp_planar_gbuffer(store, map, y0);
         tp_gbuffer_clear(&band);
+        tp_frame_allow_wide_solids(frame, &band, &frame->stats.dropped);
         tp_view_draw_solids(frame, view, &band);
         for (int32_t y = y0; y < band.y1; y++) {
             uint32_t *to = store->colour + (uint32_t)(y - map->y0) * wide;
@@ -375,6 +389,7 @@ static void draw_map(tp_frame *frame, void *mine)
         return;
     draw_refraction_map(frame, r, &view, &projection, frame->projection.eye.y - level);
     clear->refraction_map = map;
+    clear->mix = tp_refraction_map_mix;
 }
 
 /* -- the module refraction ----------------------------------------------------------- */

@@ -253,9 +253,8 @@ TP_ALWAYS_INLINE void shade_clear_water(const tp_shade *shade, tp_run *run, int 
         else
             tp_underwater_shade_row(shade, ends, ray, count, body, seen);
         for (int32_t k = 0; clear->refraction_map && k < count; k++)
-            seen[k] = tp_refraction_map_mix(shade, clear->refraction_map, run, i + k,
-                                            ray[k].far, surface[k].x, surface[k].z,
-                                            seen[k]);
+            seen[k] = clear->mix(shade, clear->refraction_map, run, i + k, ray[k].far,
+                                 surface[k].x, surface[k].z, seen[k]);
         i = stop;
     }
 }
