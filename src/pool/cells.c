@@ -170,6 +170,7 @@ tp_pool_state tp_pool_stats(const tp_pool *pool)
 void tp_pool_step_kind(tp_pool *pool, const tp_pool_kind *kind, tp_pool_drive *drive)
 {
     TP_ASSERT(pool->cells <= TP_CELLS_32 && pool->damping >= 4 && pool->damping <= 10);
+    TP_ASSERT(kind != NULL);
     const bool due = tp_pool_is_due(pool);
 
     if (due && pool->drive_min > 0 && drive)

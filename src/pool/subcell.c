@@ -128,9 +128,9 @@ static int32_t fine_height_extended_into_wall(const tp_pool *pool, uint32_t col,
 /* Collects the heights of row i of the 4 x 4 patch; `no_corners` leaves out the first and
  * the last column, for rows 0 and 3.  `interpolated` takes the heights p->lag earlier.
  * i, no_corners, cells and interpolated are literals. */
-TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const tp_pool_patch *p, tp_pool_heights *to,
-                                       int i, int no_corners, tp_cells cells,
-                                       int interpolated)
+TP_ALWAYS_INLINE void gather_patch_row(const tp_pool *pool, const tp_pool_patch *p,
+                                       tp_pool_heights *to, int i, int no_corners,
+                                       tp_cells cells, int interpolated)
 {
     const uint32_t row = p->row[i], base = row * pool->cols;
 
@@ -230,7 +230,8 @@ static tp_height_slope interpolate_height_slope(const tp_pool *pool, const tp_po
 tp_height_slope tp_pool_sample(const tp_pool *pool, const tp_pool_kind *kind, tp_fx x,
                                tp_fx z, tp_fx lag)
 {
-    TP_ASSERT(lag >= 0 && lag <= TP_FX_ONE);
+    TP_ASSERT(kind != NULL && lag >= 0 && lag <= TP_FX_ONE);
+    TP_ASSERT((pool->walls != 0) == (kind->walled != NULL) || pool->cells == TP_CELLS_32);
     const bool tiled = pool->edges == TP_EDGES_TILE;
     uint64_t u, w;
     tp_pool_heights of;

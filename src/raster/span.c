@@ -308,6 +308,24 @@ TP_ALWAYS_INLINE void draw_solid(const tp_tri *tri, const tp_gbuffer *tile, uint
     fill_triangle_rows(&p, tile, SOLID, exact);
 }
 
+/* Draws a triangle unless it is wide and the tile can draw wide ones; then returns false. */
+TP_NEVER_INLINE bool draw_affine_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
+                                       const tp_screen_vertex *b, const tp_screen_vertex *c,
+                                       uint32_t mark, uint32_t face, int opacity)
+{
+    tp_tri tri;
+
+    if (!tp_tri_begin(&tri, tile, a, b, c))
+        return true;
+    const bool wide = TP_SPAN_STEP && tri.perspective && has_st(a, b, c);
+    if (wide && tile->draw_wide)
+        return false;
+    if (wide && tile->dropped)
+        ++*tile->dropped;
+    draw_solid(&tri, tile, mark, face, opacity, 0);
+    return true;
+}
+
 /* Sets the triangle up again: a pointer to the set-up from another function would slow down
  * the small triangles, which are most. */
 void tp_tri_solid_wide(const tp_gbuffer *tile, const tp_screen_vertex *a,
@@ -325,18 +343,9 @@ void tp_tri_solid(const tp_gbuffer *tile, const tp_screen_vertex *a,
                   uint32_t face, int opacity)
 {
     TP_ASSERT(mark >= TP_MARK_SOLID && mark <= 0xff && opacity >= 0);
-    tp_tri tri;
 
-    if (!tp_tri_begin(&tri, tile, a, b, c))
-        return;
-    const bool wide = TP_SPAN_STEP && tri.perspective && has_st(a, b, c);
-    if (wide && tile->draw_wide) {
+    if (!draw_affine_solid(tile, a, b, c, mark, face, opacity))
         tile->draw_wide(tile, a, b, c, mark, face, opacity);
-        return;
-    }
-    if (wide && tile->dropped)
-        ++*tile->dropped;
-    draw_solid(&tri, tile, mark, face, opacity, 0);
 }
 
 void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,

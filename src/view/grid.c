@@ -75,6 +75,7 @@ void tp_grid_layout_coastal(tp_grid *grid, tp_arena *arena, uint32_t vertices)
 void tp_fan_evaluate_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
                          tp_grid_vertex *vertex)
 {
+    TP_ASSERT(first <= end && end <= grid->cols && j < grid->rows);
     if (grid->waves)
         grid->waves->evaluate_row(grid, j, first, end, vertex);
     else if (grid->exact_waves)

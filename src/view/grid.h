@@ -164,9 +164,7 @@ typedef struct {
     tp_water_detail detail;
 } tp_grid_view;
 
-struct tp_filtered_waves;
-
-/* Places rows that are not baked, and fills their slope variance; fan.c. */
+/* Places rows that are not baked; fan.c. */
 struct tp_draw_grid_rows {
     void (*place)(tp_grid *grid, const tp_grid_view *view);
 };

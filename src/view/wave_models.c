@@ -205,7 +205,7 @@ static const struct tp_fan_relief relief = {
 const struct tp_water_rings tp_water_rings = { tp_ring_height_slope, tp_ring_evaluate,
                                                &relief };
 
-const tp_pool_kind *tp_pool_kind_of_program(const tp_wave_models *by, uint32_t number)
+const tp_pool_kind *tp_models_numbered_kind(const tp_wave_models *by, uint32_t number)
 {
     switch (number) {
 #define X(name) \

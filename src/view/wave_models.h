@@ -134,12 +134,12 @@ TP_POOL_KINDS(X)
 #undef X
 
 /* Returns a program's kind of this number, or of a pool; NULL: the program lacks it. */
-const tp_pool_kind *tp_pool_kind_of_program(const tp_wave_models *by, uint32_t number);
+const tp_pool_kind *tp_models_numbered_kind(const tp_wave_models *by, uint32_t number);
 
-static inline const tp_pool_kind *tp_pool_kind_of(const tp_wave_models *by,
+static inline const tp_pool_kind *tp_models_pool_kind(const tp_wave_models *by,
                                                   const tp_pool *pool)
 {
-    return tp_pool_kind_of_program(
+    return tp_models_numbered_kind(
         by, tp_pool_kind_number((tp_cells)pool->cells, pool->walls != 0, pool->sponge != 0));
 }
 

@@ -108,7 +108,7 @@ static waters sample_hull_water(const tp_program *program, tp_world *world,
 {
     const tp_surface surface = tp_world_surface(program, world);
     const tp_pool *stirred = program->water.pools ? tp_boat_pool(world) : NULL;
-    const tp_pool_kind *kind = stirred ? tp_pool_kind_of(&program->water, stirred) : NULL;
+    const tp_pool_kind *kind = stirred ? tp_models_pool_kind(&program->water, stirred) : NULL;
     waters w;
 
     for (int i = 0; i < 4; i++) {

@@ -73,6 +73,7 @@ static uint32_t shore_gain(const tp_foam_maker *m, tp_fx depth, tp_fx lift, tp_f
 
 static uint32_t coastal_gain(tp_foam_maker *m, uint32_t col, tp_fx x, bool after_neighbour)
 {
+    TP_ASSERT(m->coastal != NULL && m->foam->scratch != 0);
     if (!after_neighbour)
         m->left = sample_coastal(m, x - m->foam->cell, m->z).position;
     tp_coastal_point at = sample_coastal(m, x, m->z);

@@ -145,8 +145,8 @@ static bool begin_row(tp_foam_visit *v, const tp_foam *foam, int32_t number)
     return true;
 }
 
-static uint32_t visit_row(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
-                          int32_t number)
+static uint32_t visit_row_sparsely(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
+                                   int32_t number)
 {
     const bool due = begin_row(v, foam, number);
     uint32_t hull[2] = { 0, 0 };
@@ -164,4 +164,4 @@ static uint32_t visit_row(tp_foam_visit *v, const tp_foam *foam, uint8_t *cover,
     return sum_of_row(cover, foam->cells);
 }
 
-const struct tp_water_foam_slices tp_water_foam_slices = { visit_row };
+const struct tp_water_foam_slices tp_water_foam_slices = { visit_row_sparsely };

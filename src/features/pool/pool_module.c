@@ -245,7 +245,7 @@ static const char *find_lacking_part(const tp_wave_models *by, const tp_scene *s
                           || (scene->drops.count > 0
                               && scene->drops.target != TP_DROPS_RINGS);
 
-    return !tp_pool_kind_of_program(by, number) ? names[number]
+    return !tp_models_numbered_kind(by, number) ? names[number]
          : splashes && !by->pool_splashes       ? "pool_splashes" : NULL;
 }
 
@@ -291,7 +291,7 @@ static void step(void *mine, const tp_program *program, tp_world *world,
                  const tp_scene *scene, const tp_input *in)
 {
     tp_pool *pool = &((tp_basin *)mine)->pool;
-    const tp_pool_kind *kind = tp_pool_kind_of(&program->water, pool);
+    const tp_pool_kind *kind = tp_models_pool_kind(&program->water, pool);
     const struct tp_water_pool_splashes *splashes = program->water.pool_splashes;
 
     (void)world, (void)scene, (void)in;
@@ -353,7 +353,7 @@ static void pool_surface(const void *mine, tp_surface *surface)
 {
     const tp_pool *pool = &((const tp_basin *)mine)->pool;
 
-    surface->pool_kind = surface->by->pools ? tp_pool_kind_of(surface->by, pool) : NULL;
+    surface->pool_kind = surface->by->pools ? tp_models_pool_kind(surface->by, pool) : NULL;
     surface->pool = surface->pool_kind ? pool : NULL;
 }
 
@@ -402,7 +402,7 @@ static void field_surface(const void *mine, tp_surface *surface)
 {
     const tp_pool *pool = &((const tp_basin *)mine)->pool;
 
-    surface->field_kind = surface->by->pools ? tp_pool_kind_of(surface->by, pool) : NULL;
+    surface->field_kind = surface->by->pools ? tp_models_pool_kind(surface->by, pool) : NULL;
     surface->field = surface->field_kind ? pool : NULL;
 }
 
