@@ -153,7 +153,8 @@ typedef void tp_pool_gatherer(const tp_pool *restrict pool, const tp_pool_patch 
 typedef void tp_pool_drive(tp_pool *pool);
 
 /* A kind of pool, by cells and edges: one step of all cells; the heights of a patch of a
- * pool without walls, of the last step and p->lag earlier; of a pool with walls. */
+ * pool without walls, of the last step and p->lag earlier; of a pool with walls.  NULL: the
+ * kind has no such pools. */
 typedef struct {
     void (*step)(tp_pool *pool);
     tp_pool_gatherer *now, *back, *walled;

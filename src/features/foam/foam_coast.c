@@ -184,5 +184,5 @@ const struct tp_water_foam_coast tp_water_foam_coast = {
     .gain = coastal_gain, .wave_gain = wave_gain,
     .sample_previous_row = sample_previous_row,
     .fill_entering_cells = fill_entering_cells, .count_open_water = count_open_water,
-    .begin_surf = tp_foam_surf_begin, .shore_cover = tp_foam_shore_cover,
+    .begin_surf = tp_foam_surf_begin, .set_shore = tp_foam_set_shore,
 };

@@ -40,6 +40,9 @@ TP_ALWAYS_INLINE uint32_t tp_foam_open_cover(const tp_shade_foam *f, uint32_t fa
     return cover < TP_FOAM_FAR_MOST ? cover : TP_FOAM_FAR_MOST;
 }
 
+/* foam_drawing.c. Sets a straight beach, see tp_water_foam_coast. */
+void tp_foam_set_shore(tp_shade_foam *f, const tp_scene *scene);
+
 /* The cover of TP_FOAM_BEACH. */
 tp_foam_floor_cover tp_foam_shore_cover;
 

@@ -80,8 +80,7 @@ static void set_mean_way(tp_shade_foam *f, const tp_world *world)
 /* Sets the direction of a straight beach, at right angles to the floor's rise, if its water
  * line passes the window's middle within half of the radius.  A stretch of 7/8 of the
  * window's radius repeats, so the stretch and its seam have their full weight. */
-static void set_shore(tp_shade_foam *f, const tp_scene *scene,
-                      const struct tp_water_foam_coast *coast)
+void tp_foam_set_shore(tp_shade_foam *f, const tp_scene *scene)
 {
     const tp_turn rise = tp_turn_of_degrees(scene->floor.heading);
     const int64_t x = (int64_t)f->low_s + f->side / 2, z = (int64_t)f->low_t + f->side / 2;
@@ -95,7 +94,7 @@ static void set_shore(tp_shade_foam *f, const tp_scene *scene,
     f->shore_z = tp_sin(rise) / 65536;
     f->stretch = (int32_t)(f->side / 16 * 7);
     f->floor = TP_FOAM_BEACH;
-    f->floor_cover = coast->shore_cover;
+    f->floor_cover = tp_foam_shore_cover;
 }
 
 #define OLD      128            /* of 256, over the field's mean: foam that crests left */
@@ -130,7 +129,7 @@ static void set_far_foam(const tp_frame *frame, tp_shade_foam *f, const tp_foam 
     set_mean_way(f, frame->world);
     f->floor = 0;
     if (!pool && coast && tp_has_floor(frame->scene) && !frame->assets.floor)
-        set_shore(f, frame->scene, coast);
+        coast->set_shore(f, frame->scene);
 }
 
 /* Fast stages draw no cover below this, beyond the window by its largest. */

@@ -80,7 +80,8 @@ struct tp_water_foam_coast {
     void (*begin_surf)(tp_shade_foam_surf *foam, const tp_foam *field,
                        const tp_wave_models *by, const tp_world *world,
                        const tp_scene *scene);
-    tp_foam_floor_cover *shore_cover;
+    /* Sets the direction of a straight beach, and its cover, near the window. */
+    void (*set_shore)(tp_shade_foam *f, const tp_scene *scene);
 };
 
 /* Foam along the walls of a pool, foam_sources.c. */
