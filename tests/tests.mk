@@ -147,8 +147,8 @@ more-tests: everything build/host/count.so build/host/tally.so
 	    $(filter-out $(SAN_UNIT) $(SLOW) $(SOAKED) $(QUICK),$(UNIT)) $(call at_san,$(GOLDEN)) \
 	    $(patsubst %,tests/host/%.sh,check packages output bake own_module library tape ladder \
 	        charts generators examples charts_stop) \
-	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram programs plan-count \
-                effects rung-prices rung-judge board-rungs processor-prices board-steps \
+	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram shipped-ram programs \
+                plan-count effects rung-prices rung-judge board-rungs processor-prices board-steps \
                 code-sizes) \
 	    tests/charts/same.sh
 # Tests that have fewer rounds under the sanitizers than in the soak.

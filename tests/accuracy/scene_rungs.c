@@ -161,7 +161,8 @@ static bool read_cheap(options *o, int argc, char **argv, const char **only)
 int main(int argc, char **argv)
 {
     const char *settings[32];
-    options cheap = { .command = "scene_rungs", .settings = settings, .quiet = true };
+    options cheap = { .command = "scene_rungs", .settings = settings, .quiet = true,
+                      .width = WIDTH, .height = HEIGHT };
     loaded_scene at[TICKS];
     char scene[64];
     const char *only = NULL;

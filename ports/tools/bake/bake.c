@@ -179,10 +179,10 @@ static int put_all(const bake *b, const options *o, const loaded_scene *s)
     return code;
 }
 
-/* Makes a world of the program's scene, whose tables of coastal water are baked: the scene of
- * a program without --with keeps its numbers.  Returns NULL if there are none, or no memory;
- * the caller frees the world. */
-static tp_world *find_coastal(bake *b, const options *o, const tp_assets *assets)
+/* Makes a world of the program's scene and adds its tables of coastal water to the assets: the
+ * scene of a program without --with keeps its numbers.  Returns NULL if there are none, or no
+ * memory; the caller frees the world. */
+static tp_world *find_coastal(bake *b, const options *o, tp_assets *assets)
 {
     const tp_scene *scene = b->program ? &b->program->scene : NULL;
     const size_t bytes = scene && !o->with
@@ -192,10 +192,10 @@ static tp_world *find_coastal(bake *b, const options *o, const tp_assets *assets
     if (!world
         || tp_world_init(&tp_program_all, world, bytes, scene, assets, NULL) != TP_OK)
         return world;
-    b->coastal = (const uint64_t *)(const void *)tp_world_coastal(world);
+    assets->coastal = tp_world_coastal(world);
+    b->coastal = (const uint64_t *)(const void *)assets->coastal;
     if (b->coastal)
-        b->coastal_words =
-            tp_coastal_table_bytes(tp_world_coastal(world)) / sizeof *b->coastal;
+        b->coastal_words = tp_coastal_table_bytes(assets->coastal) / sizeof *b->coastal;
     return world;
 }
 
@@ -248,9 +248,9 @@ static int run(loaded_scene *s, const options *o)
     if (!code) {
         world = find_coastal(&b, o, &s->assets.names);
         code = write_file(&b, o, s);
+    }
     if (b.program)
         bake_close_program(&program);
-    }
     free(world);
     free(b.pictures);
     for (int i = 0; i < TP_BAKED_LAYERS; i++)

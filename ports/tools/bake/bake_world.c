@@ -13,7 +13,8 @@ bool bake_world_is_copied(const bake_program *p, const tp_assets *assets)
     component_list list;
 
     components_list(&list, &p->found.in, &p->request.terms);
-    return tp_world_bytes(&list.program, &p->scene, assets) <= MAKING;
+    return !assets->coastal     /* the place of tables is no number */
+           && tp_world_bytes(&list.program, &p->scene, assets) <= MAKING;
 }
 
 /* Makes the world by the program, and writes it. */
