@@ -149,7 +149,7 @@ more-tests: everything build/host/count.so build/host/tally.so
 	        charts generators examples charts_stop) \
 	    $(patsubst %,tests/budgets/%.sh,models-count scenes-count ram shipped-ram programs \
                 plan-count effects rung-prices rung-judge board-rungs processor-prices board-steps \
-                code-sizes) \
+                code-sizes program-memory) \
 	    tests/charts/same.sh
 # Tests that have fewer rounds under the sanitizers than in the soak.
 MORE_ROUNDS := $(filter $(addprefix %/test_, world app_overlay lcd rows snapshot \

@@ -27,7 +27,7 @@ static void set_water_surface(tp_frame *frame)
 }
 
 /* Without samples, things in the water take swells for level. */
-static void check_samples(tp_frame *frame)
+TP_NEVER_INLINE void check_samples(tp_frame *frame)
 {
     const tp_program *program = frame->program;
     const tp_surface *surface = &frame->surface;

@@ -52,3 +52,8 @@ $(BUILD)/shipped/baked/%.o: $(BUILD)/shipped/baked/%.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -c $< -o $@
 $(BUILD)/shipped/%.elf: $(BUILD)/shipped/baked/%.o $(BUILD)/ports/cortex-m/main.o $(BOARD_REST)
 	$(SAY)$(LINK_ELF)
+# The layout of a frame, here and on a board, for tests/budgets/board-sizes.sh.
+$(BUILD)/tests/budgets/layout: $(BUILD)/tests/budgets/layout.o $(LIB)
+	$(SAY)$(LINK) $^ -o $@
+$(BUILD)/layout.elf: $(BUILD)/tests/budgets/layout.o $(BOARD_REST)
+	$(SAY)$(LINK_ELF)

@@ -123,7 +123,10 @@ same "it is the same each time" "$(cmp h.c i.c)" ""
 run bake minimal -o i.c --size 64x48 --no-input --without haze
 same "what is left out is told" "$code $(grep -c 'uses it: .* haze$' err)" "0 1"
 run bake minimal -o i.c --size 64x48 --no-input --without foam
-same "unless nobody asks for it" "$code $(cat err)" "0 "
+same "unless nobody asks for it" "$code $(grep -c 'uses it' err)" "0 0"
+same "RAM and flash are told, the sums of the head" \
+    "$(sed 's/.*: \([0-9]*\) bytes of RAM, \([0-9]*\) of flash.*/\1 \2/' err)" \
+    "$(awk '$2 == "RAM" || $2 == "flash" { print $NF }' i.c | paste -sd ' ' -)"
 run bake minimal -o i.c --format i1 --no-input --with foam
 same "a scene that may change is checked, and has room for its waves" \
     "$(grep -c 'check = tp_scene_check\|swells = &tp_water_swells' i.c)" 2

@@ -194,7 +194,7 @@ expect "plan of no scene" 2 "SCENE is missing" plan
 expect "plan of an unknown scene" 3 "did you mean three-swells?" plan three-swels
 run plan minimal --csv
 same "a plan as a table: a line each kind, the head, exact and total" \
-    "$code $(wc -l <out) $(awk -F, 'NF != 5' out | wc -l)" "0 31 0"
+    "$code $(wc -l <out) $(awk -F, 'NF != 5' out | wc -l)" "0 42 0"
 cp out table
 run plan minimal --csv
 same "the same plan again" "$(cat out)" "$(cat table)"
@@ -527,22 +527,27 @@ expect "folder for a mesh" 3 " sub: Is a directory" $small --set boat.mesh=sub
 
 # -- memory ---------------------------------------------------------------------------
 
-# The reported sum of memory is enough; one byte less is refused before anything is drawn.
+# The reported sum of a board's RAM is enough; one byte less is refused before anything is
+# drawn. The sum is that of the plan.
 need="three-swells --size 64x48 --threads 2"
 # shellcheck disable=SC2086
 {
 expect "more memory than is allowed" 3 \
-    "^three-swells needs [0-9]* bytes (frame [0-9]*, world [0-9]*, scratch [0-9]*), "\
-"--memory allows 65536; [0-9]* bytes of pictures and mesh are not counted$" \
+    "^three-swells needs [0-9]* bytes of RAM on a board (frame [0-9]*, tiles [0-9]*, "\
+"world [0-9]*, stacks [0-9]*), --memory allows 65536; [0-9]* bytes of flash are not "\
+"counted$" \
     render $need --memory 64k --out refused.png
 absent "a picture that needs too much" "refused.png\|tidepool-"
 bytes=$(sed -n 's/.* needs \([0-9]*\) bytes.*/\1/p' err)
 expect "exactly the memory that is allowed" 0 "" render $need --memory "$bytes" --stats
 expect "one byte less" 3 "needs $bytes bytes" render $need --memory $((bytes - 1))
-run render $need --stream --stats    # tried first, before the refusal
-sum=$(sed -n 's/.*"world": \([0-9]*\), "frame": \([0-9]*\),.*"scratch": \([0-9]*\),.*/'\
-'\1 + \2 + \3/p' out)
+run render $need --memory 1k
+sum=$(sed 's/.*(//; s/).*//; s/[a-z ]*//g; s/,/ + /g' err)
 same "figures add up to what is needed" "$(($sum))" "$bytes"
+run plan three-swells --size 64x48 --band 8 --stream --csv      # streams before the refusal
+sum=$(awk -F, '$1 == "ram" { sum += $4 } END { print sum }' out)
+run render three-swells --size 64x48 --band 8 --format rgb565 --memory $((sum - 1))
+same "it is what the plan prints" "$code $(sed 's/.* needs \([0-9]*\) .*/\1/' err)" "3 $sum"
 }
 # A sanitizer build does not start in so little memory; the plain build does.
 if (ulimit -v 200000; timeout 60 "$program" --version >out 2>&1); then

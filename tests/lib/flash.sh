@@ -33,7 +33,8 @@ flash_build()   # false, with a message: no compiler
 pieces()
 {
     arm-none-eabi-nm -g --defined-only $flash_lib | sed -n \
-        's/.* T \(tp_stage_[a-z0-9_]*\)$/\1/p
+        's/.* T \(tp_\(stage\|store\)_[a-z0-9_]*\)$/\1/p
+         s/.* [TR] \(tp_scene_check\|tp_world_steering\|tp_world_init\)$/\1/p
          s/.* R \(tp_\(water\|draw\|method\)_[a-z0-9_]*\)$/\1/p
          s/.* R \(tp_[a-z0-9_]*_\(module\|drawing\)\)$/\1/p' | sort -u
 }
@@ -41,7 +42,7 @@ pieces()
 # What a port calls of the library, as options of the linker.
 flash_calls()
 {
-    { arm-none-eabi-nm -u $flash_main; echo U tp_store_rgb565; } |
+    arm-none-eabi-nm -u $flash_main |
         sed -n 's/.*U \(tp_.*\)/-u \1/p'
 }
 
@@ -56,11 +57,21 @@ flash_link_alone()      # SYMBOL TO [OBJECT | OPTION]...: links what a symbol re
 # Links the functions that every program calls, with BAKED.o or without a scene.
 flash_link()            # TO [BAKED.o]
 {
-    set -- "$1" ${2:+-u baked_config -u baked_scene "$2"}
+    set -- "$1" ${2:+-u baked_config -u baked_world_init "$2"}
     [ $# -gt 1 ] || set -- "$1" --defsym tp_program_linked=0
     to=$1
     shift
     flash_link_alone tp_frame_init "$to" $(flash_calls) "$@"
+}
+
+# Lines USE BYTES of the table in a baked file's head.
+memory_of()             # BAKED.c
+{
+    sed -n '/^ \* Bytes on a Cortex-M4/,/\*\//s/^ \* *//p' "$1" | awk '
+        $1 == "frame" || $1 == "code" { split($0, use, " "); next }
+        $1 == "RAM" || $1 == "flash" {
+            for (i = 1; i < NF - 1; i++) print use[i], $(i + 1)
+        }'
 }
 
 flash_of()              # ELF: its bytes

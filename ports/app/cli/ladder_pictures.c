@@ -5,7 +5,7 @@
 #include <string.h>
 #include "app/files/timing.h"
 #include "frame/tools.h"
-#include "tools/bake/flash.h"
+#include "tools/bake/program_memory.h"
 #include "tools/reference/image.h"
 
 enum { PICTURES = 2, BAND = 16, THREADS = 2 };
@@ -68,25 +68,25 @@ static void copy_picture(const picture *p, uint32_t *pixels)
         memcpy(pixels + (size_t)y * p->width, picture_row(p, y), p->width * sizeof *pixels);
 }
 
-/* Returns the RAM of a baked program in RGB565: its textures for fast stages are made when it
- * is baked, and lie in flash. */
-static size_t baked_ram(const loaded_scene *s)
+/* Sets RAM and flash of the step's baked program, in RGB565 unless --format names another. */
+static int measure_program(ladder_step *step, const loaded_scene *s, const options *o,
+                           component_search_worlds *worlds)
 {
-    tp_assets baked = s->assets.names;
-    tp_config config = s->renderer.config;
+    options baked = *o;
+    program_memory memory;
 
-    for (int i = 0; i < TP_LAYERS; i++)
-        baked.baked_layer[i] = baked.layer[i];
-    baked.baked_offset = baked.distortion;
-    baked.baked_slope = baked.ripple;
-    config.program = &tp_program_all;
-    config.assets = &baked;
-    config.format = TP_FORMAT_RGB565;
-    return tp_frame_bytes(&config, &s->file.scene)
-         + tp_frame_scratch_bytes(&config, &s->file.scene) + s->world_bytes;
+    baked.format = o->formatted ? o->format : TP_FORMAT_RGB565;
+    baked.band = o->band ? o->band : BAND;
+    const int code = program_memory_find(&memory, &s->file.scene, &s->assets.names, &baked,
+                                         worlds);
+    if (!code) {
+        step->ram = program_memory_ram(&memory);
+        step->flash = program_memory_flash(&memory);
+    }
+    return code;
 }
 
-/* Draws the pictures of a step; worlds: sets its flash too. */
+/* Draws the pictures of a step; worlds: sets its RAM and flash too. */
 static int draw_step(ladder_step *step, const options *o, pictures *to,
                      component_search_worlds *worlds)
 {
@@ -99,10 +99,8 @@ static int draw_step(ladder_step *step, const options *o, pictures *to,
         frame_renderer_draw(&s.renderer, s.world);
         copy_picture(&s.renderer.picture, to->pixel[i]);
     }
-    if (!code)
-        step->ram = baked_ram(&s);
     if (!code && worlds)
-        code = flash_estimate(&step->flash, &s, o, worlds);
+        code = measure_program(step, &s, o, worlds);
     loaded_scene_close(&s);
     return code;
 }

@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "frame/tools.h"
 #include "plan_ladder.h"
+#include "tools/bake/program_memory.h"
 
 #define BAND 16                 /* rows of a tile, as on a board */
 #define MHZ  168                /* clock, MHz, and cycles per instruction of the estimate */
@@ -23,6 +24,7 @@ typedef struct {
     plan_sheet    sheet;
     world_rungs   world;
     ram_rungs     ram;
+    program_memory memory;      /* of the plan's baked program */
 } plan;
 
 static double millions(double n)
@@ -48,8 +50,14 @@ static void print_csv(const plan *p)
         printf("tick,%s,changes the world,%" PRIu64 ",\n", p->world.rung[i].text,
                p->world.now.mean - p->world.rung[i].cost.mean);
     for (int i = 0; i < p->ram.count; i++)
-        printf("ram,%s,bytes,%zu,%.2f\n", p->ram.rung[i].text, p->ram.rung[i].bytes,
+        printf("less ram,%s,bytes,%zu,%.2f\n", p->ram.rung[i].text, p->ram.rung[i].bytes,
                p->ram.rung[i].error);
+#define X(use) printf("ram," #use ",bytes,%zu,\n", p->memory.use);
+    PROGRAM_RAM_LIST(X)
+#undef X
+#define X(use) printf("flash," #use ",bytes,%zu,\n", p->memory.use);
+    PROGRAM_FLASH_LIST(X)
+#undef X
     printf("exact,,,%" PRIu64 ",0.00\n", sheet->exact.cost);
     printf("total,,,%" PRIu64 ",%.2f\n", sheet->plan.price.cost,
            plan_error(sheet->plan.price));
@@ -94,7 +102,6 @@ static void print_kinds(const plan *p)
 
 static void print_total(const plan *p)
 {
-    const tp_ram_use ram = tp_frame_ram(p->loaded->renderer.frame);
     const tp_set_price price = p->sheet.plan.price;
     const double cost = (double)price.cost, water = p->sheet.view.water;
 
@@ -102,9 +109,7 @@ static void print_total(const plan *p)
            "estimate: %.1f frames/s at %d MHz if an instruction takes " CPI " cycles\n",
            millions(cost), water > 0 ? cost / water : 0, plan_error(price),
            cost > 0 ? (double)SPEED / cost : 0, MHZ);
-    printf("bytes: frame %zu (vertices %zu, tables %zu, mirror %zu),\n  a tile's scratch"
-           " %zu, world %zu\n", ram.frame, ram.vertices, ram.tables, ram.mirror,
-           ram.scratch, p->loaded->world_bytes);
+    program_memory_print(&p->memory, stdout, "");
     puts("Instructions: one frame on a Cortex-M4 at the scene's start, without ticks."
          "\nErrors: rms beyond the exact picture, kept by 95 of 100 views; see --ladder.");
 }
@@ -159,6 +164,17 @@ static void print_ram(const ram_rungs *r)
                r->rung[i].text);
 }
 
+/* Sets the memory of the program that bake writes for the plan. */
+static int find_memory(plan *p, const options *o)
+{
+    tp_scene scene = p->loaded->file.scene;
+    options baked = *o;
+
+    tp_rung_set_apply_some(&scene, &p->loaded->plan.set, p->loaded->plan.open);
+    baked.format = o->formatted ? o->format : TP_FORMAT_RGB565;
+    return program_memory_find(&p->memory, &scene, &p->loaded->assets.names, &baked, NULL);
+}
+
 static int run(const options *o)
 {
     loaded_scene s;
@@ -173,6 +189,7 @@ static int run(const options *o)
         plan_sheet_make(&p.sheet, &s);
         p.world = world_rungs_find(&s, TP_PROCESSOR_M4);
         code = ram_rungs_find(&p.ram, &s);
+        code = code ? code : find_memory(&p, o);
         if (!code && o->csv) {
             print_csv(&p);
         } else if (!code) {

@@ -9,6 +9,7 @@
 #include "pool/pool.h"
 #include "scene_plan.h"
 #include "set_ladder.h"
+#include "tools/bake/program_memory.h"
 #include "world/text.h"
 #include "world/world.h"
 
@@ -142,45 +143,54 @@ int loaded_scene_make_world(loaded_scene *s)
     return EXIT_DONE;
 }
 
-/* Returns the memory that a board needs beside the picture, bytes. */
-static size_t board_memory_bytes(const frame_renderer *c, size_t world_bytes)
+/* -- memory of a board --------------------------------------------------------------- */
+
+/* Sets the memory of the program that draws as the renderer does, baked for a board. */
+static int find_board_memory(program_memory *m, const loaded_scene *s,
+                             const frame_renderer *c, const asset_set *a, const options *o)
 {
-    return c->frame_bytes + world_bytes + c->scratch_bytes;
+    tp_scene drawn = s->file.scene;
+    options baked = *o;
+
+    tp_rung_set_apply_some(&drawn, &c->plan.set, c->plan.open);
+    baked.strip = c->config.tile_width;
+    baked.band = c->config.tile_height;
+    baked.stream = c->stream;
+    return program_memory_find(m, &drawn, &a->names, &baked, NULL);
 }
 
-/* Chooses streaming of grid vertices if memory does not suffice for storing them. */
-static void choose_store(frame_renderer *c, const tp_scene *scene, const tp_assets *names,
-                         size_t world_bytes, const options *o)
+/* Returns the RAM of a board: each thread has a tile and a stack of its own. */
+static size_t board_ram(const program_memory *m, const frame_renderer *c)
 {
-    c->stream = o->stream;
-    frame_renderer_measure(c, scene, names);
-    if (o->memory && board_memory_bytes(c, world_bytes) > o->memory) {
-        c->stream = true;
-        frame_renderer_measure(c, scene, names);
-    }
+    return program_memory_ram(m) + (c->threads - 1) * (m->tile + m->stack);
 }
 
-/* Checks --memory.  Meshes and textures are not counted: on a board they may be in ROM. */
-static int check_memory(const loaded_scene *s, const frame_renderer *c, const asset_set *a,
-                        size_t world_bytes, uint64_t allowed)
+/* Checks --memory; streams the grid's vertices if they do not fit. */
+static int check_memory(const loaded_scene *s, frame_renderer *c, const asset_set *a,
+                        const options *o)
 {
-    const size_t named = a->mesh_bytes + a->texture_bytes;
-    const size_t bytes = board_memory_bytes(c, world_bytes);
-    char rom[80] = "";
-    if (!allowed || bytes <= allowed)
+    program_memory m;
+
+    if (!o->memory)
         return EXIT_DONE;
-    if (named)
-        snprintf(rom, sizeof rom, "; %zu bytes of pictures and mesh are not counted",
-                 named);
+    int code = find_board_memory(&m, s, c, a, o);
+    if (!code && board_ram(&m, c) > o->memory && !c->stream) {
+        c->stream = true;
+        code = find_board_memory(&m, s, c, a, o);
+    }
+    if (code || board_ram(&m, c) <= o->memory)
+        return code;
     return log_fail(EXIT_INPUT,
-                    "%s needs %zu bytes (frame %zu, world %zu, scratch %zu),"
-                    " --memory allows %" PRIu64 "%s",
-                    s->file.name, bytes, c->frame_bytes, world_bytes, c->scratch_bytes,
-                    allowed, rom);
+                    "%s needs %zu bytes of RAM on a board (frame %zu, tiles %zu, world %zu,"
+                    " stacks %zu), --memory allows %" PRIu64
+                    "; %zu bytes of flash are not counted",
+                    s->file.name, board_ram(&m, c),
+                    m.frame + m.vertices + m.tables + m.mirror, c->threads * m.tile,
+                    m.world, c->threads * m.stack, o->memory, program_memory_flash(&m));
 }
 
 int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
-                               const asset_set *a, size_t world_bytes, frame_renderer *c)
+                               const asset_set *a, frame_renderer *c)
 {
     const tp_config config = {
         .width = o->width,
@@ -193,15 +203,17 @@ int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
     if (o->machine)
         c->machine = o->machine;
     c->plan = scene_plan_renew(s, o->width, o->height);
-    choose_store(c, &s->file.scene, &a->names, world_bytes, o);
-    return check_memory(s, c, a, world_bytes, o->memory);
+    c->stream = o->stream;
+    const int code = check_memory(s, c, a, o);
+    frame_renderer_measure(c, &s->file.scene, &a->names);
+    return code;
 }
 
 int loaded_scene_open_renderer(loaded_scene *s, const options *o)
 {
     frame_renderer_close(&s->renderer);
     const int code =
-        loaded_scene_plan_renderer(s, o, &s->assets, s->world_bytes, &s->renderer);
+        loaded_scene_plan_renderer(s, o, &s->assets, &s->renderer);
     s->frame = scene_plan_board_frame(s);
     s->plan = s->renderer.plan;
     return code ? code

@@ -84,5 +84,5 @@ void loaded_scene_take_world(loaded_scene *s, tp_world *world, size_t bytes);
 /* Plans a frame renderer of the current scene; allocates nothing.  Returns EXIT_INPUT if
  * --memory does not suffice. */
 int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
-                               const asset_set *a, size_t world_bytes, frame_renderer *c);
+                               const asset_set *a, frame_renderer *c);
 #endif

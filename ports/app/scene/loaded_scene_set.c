@@ -86,11 +86,11 @@ static int world_anew(const loaded_scene *s, change *c)
 static int plan_anew(const loaded_scene *s, change *c)
 {
     const asset_set *a = current_assets(s, c);
-    const size_t world_bytes = tp_world_bytes(&tp_program_all, &s->file.scene, &a->names);
     frame_renderer plan;
-    if (!s->renderer.frame || world_bytes == 0)
+    if (!s->renderer.frame
+        || tp_world_bytes(&tp_program_all, &s->file.scene, &a->names) == 0)
         return EXIT_DONE;
-    const int code = loaded_scene_plan_renderer(s, c->o, a, world_bytes, &plan);
+    const int code = loaded_scene_plan_renderer(s, c->o, a, &plan);
     c->frame_bytes = plan.frame_bytes;
     return code;
 }

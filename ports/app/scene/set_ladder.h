@@ -10,8 +10,7 @@
 typedef struct {
     tp_rung_set set;
     tp_set_price price;         /* of a frame, by estimate */
-    size_t   ram;               /* frame, scratch and world of a baked program in RGB565 */
-    size_t   flash;             /* of that program on a Cortex-M4, without the port */
+    size_t   ram, flash;        /* of the baked program, program_memory.h */
     char     choices[640];      /* rows unlike the exact ones, apart by spaces */
     double   added, db;         /* rms, of 255, and PSNR against the exact picture */
     double   total;             /* rms against the reference at 16 samples; -1: unknown */

@@ -14,7 +14,7 @@
 #include "bake_assets.h"
 #include "bake_program.h"
 #include "bake_world.h"
-#include "world/module.h"
+#include "program_memory.h"
 
 #define IDENTIFIER_BYTES 48
 
@@ -92,6 +92,8 @@ static void put_contents(const bake *b, const tp_assets *names)
     if (b->program) {
         fputc('\n', b->out);
         bake_put_pieces(b->program, b->out);
+        fprintf(b->out, " * Bytes on a Cortex-M4, without the port's own:\n");
+        program_memory_print(b->memory, b->out, " * ");
     }
     fprintf(b->out, " */\n");
 }
@@ -179,26 +181,6 @@ static int put_all(const bake *b, const options *o, const loaded_scene *s)
     return code;
 }
 
-/* Makes a world of the program's scene and adds its tables of coastal water to the assets: the
- * scene of a program without --with keeps its numbers.  Returns NULL if there are none, or no
- * memory; the caller frees the world. */
-static tp_world *find_coastal(bake *b, const options *o, tp_assets *assets)
-{
-    const tp_scene *scene = b->program ? &b->program->scene : NULL;
-    const size_t bytes = scene && !o->with
-                             ? tp_world_bytes(&tp_program_all, scene, assets) : 0;
-    tp_world *world = bytes ? malloc(bytes) : NULL;
-
-    if (!world
-        || tp_world_init(&tp_program_all, world, bytes, scene, assets, NULL) != TP_OK)
-        return world;
-    assets->coastal = tp_world_coastal(world);
-    b->coastal = (const uint64_t *)(const void *)assets->coastal;
-    if (b->coastal)
-        b->coastal_words = tp_coastal_table_bytes(assets->coastal) / sizeof *b->coastal;
-    return world;
-}
-
 /* -- the command --------------------------------------------------------------------- */
 
 static int write_file(bake *b, const options *o, const loaded_scene *s)
@@ -237,6 +219,7 @@ static int run(loaded_scene *s, const options *o)
     const tp_assets all = s->assets.names;
     bake_program program;
     tp_world *world = NULL;
+    program_memory bytes;
     code = bake_prepare(&s->assets.names, &s->file.scene, o, memory, made);
     if (!code && bake_has_program(o)) {
         code = bake_find_program(&program, o, &s->file.scene, &all, &s->assets.names,
@@ -245,10 +228,17 @@ static int run(loaded_scene *s, const options *o)
     }
     if (!code)
         code = bake_list_pictures(&b, &s->assets.names);
-    if (!code) {
-        world = find_coastal(&b, o, &s->assets.names);
-        code = write_file(&b, o, s);
+    if (!code)
+        world = bake_find_coastal(&b, o, &s->assets.names);
+    if (!code && b.program) {
+        code = program_memory_measure(&bytes, &program, &b, &s->assets.names);
+        b.memory = &bytes;
     }
+    if (!code)
+        code = write_file(&b, o, s);
+    if (!code && b.program)
+        log_line("%s: %zu bytes of RAM, %zu of flash on a Cortex-M4, without the port's own",
+                 s->file.name, program_memory_ram(&bytes), program_memory_flash(&bytes));
     if (b.program)
         bake_close_program(&program);
     free(world);

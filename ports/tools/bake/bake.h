@@ -25,6 +25,7 @@ typedef struct {
     const struct bake_program *program;     /* NULL: no program list is written */
     const uint64_t *coastal;            /* tables of coastal water in this machine's layout, ... */
     size_t        coastal_words;        /* ... as words; 0: none */
+    const struct program_memory *memory;    /* of that program */
 } bake;
 
 /* Returns the entry of the list with the same texels as `texture`, or NULL. */

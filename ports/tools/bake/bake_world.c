@@ -4,17 +4,40 @@
 #include <stdlib.h>
 #include <string.h>
 #include "app/files/log.h"
+#include "world/module.h"
 
 /* Bytes of the code that makes a world of swells, on a Cortex-M4. */
 enum { MAKING = 2400 };
 
-bool bake_world_is_copied(const bake_program *p, const tp_assets *assets)
+size_t bake_world_bytes(const bake_program *p, const tp_assets *assets)
 {
     component_list list;
 
     components_list(&list, &p->found.in, &p->request.terms);
+    return tp_world_bytes(&list.program, &p->scene, assets);
+}
+
+bool bake_world_is_copied(const bake_program *p, const tp_assets *assets)
+{
     return !assets->coastal     /* the place of tables is no number */
-           && tp_world_bytes(&list.program, &p->scene, assets) <= MAKING;
+           && bake_world_bytes(p, assets) <= MAKING;
+}
+
+tp_world *bake_find_coastal(bake *b, const options *o, tp_assets *assets)
+{
+    const tp_scene *scene = b->program ? &b->program->scene : NULL;
+    const size_t bytes = scene && !o->with
+                             ? tp_world_bytes(&tp_program_all, scene, assets) : 0;
+    tp_world *world = bytes ? malloc(bytes) : NULL;
+
+    if (!world
+        || tp_world_init(&tp_program_all, world, bytes, scene, assets, NULL) != TP_OK)
+        return world;
+    assets->coastal = tp_world_coastal(world);
+    b->coastal = (const uint64_t *)(const void *)assets->coastal;
+    if (b->coastal)
+        b->coastal_words = tp_coastal_table_bytes(assets->coastal) / sizeof *b->coastal;
+    return world;
 }
 
 /* Makes the world by the program, and writes it. */
@@ -47,10 +70,8 @@ static int write_copy(const bake_program *p, const tp_assets *assets, FILE *out,
 int bake_put_world(const bake_program *p, const tp_assets *assets, FILE *out,
                    const char *name)
 {
-    component_list list;
+    const size_t bytes = bake_world_bytes(p, assets);
 
-    components_list(&list, &p->found.in, &p->request.terms);
-    const size_t bytes = tp_world_bytes(&list.program, &p->scene, assets);
     fprintf(out, "\nextern const size_t %s_world_bytes;\n"
             "const size_t %s_world_bytes = %zu;\n", name, name, bytes);
     return bake_world_is_copied(p, assets) ? write_copy(p, assets, out, name, bytes)
