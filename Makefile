@@ -72,7 +72,7 @@ count: $(PROGRAM) build/host/count.so
 ## print the memory of two scenes on a board, by use and tile size
 ram: $(PROGRAM) build/host/count.so
 	@tests/budgets/ram.sh
-## memory, flash and instructions on emulated boards; WRITE=1: into ports/BOARDS.md
+## memory, flash and instructions on emulated boards; WRITE=1: into the pages' tables
 boards: $(PROGRAM)
 	@tests/boards/table.sh $(if $(WRITE),--write)
 ## start a project for another board: CPU=cortex-m4 DIR=../myboard; usage without them

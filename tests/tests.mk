@@ -90,7 +90,7 @@ quick-tests: quick
 	    $(if $(LEFT_OUT),tests/gates/left-out.sh) \
 	    $(patsubst %,tests/gates/%.sh,sources headers glossary words selftest) \
 	    $(patsubst %,tests/host/%.sh,manual exits check_ranges linked readme) \
-	    tests/boards/readme.sh tests/mutants/selftest.sh
+	    $(patsubst %,tests/boards/%.sh,readme figures) tests/mutants/selftest.sh
 
 # -- make test-all ---------------------------------------------------------------------
 

@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Bare Cortex-M boards, emulated: their frames are the host's, their memory is enough, what
-# goes wrong on them is told, and the tables of ports/BOARDS.md are what is measured.
+# goes wrong on them is told, and their rows of configurations.csv are what is measured.
 #     cortex-m.sh PROGRAM
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
+. "$(dirname "$0")/../lib/rows.sh"
 
 program=$1
 shots=$scratch/shots
@@ -151,20 +152,15 @@ draws()         # FIRST
 check "mps2-an386: its frames are the host's" draws 60
 refuse "mps2-an386: and no others" draws 61
 
-# -- the table ------------------------------------------------------------------------
+# -- the rows -------------------------------------------------------------------------
 
-stands_in()     # PAGE: the tables between its two comment lines equal the measured ones
+stands_in()     # FILE: has the measured rows
 {
-    sed -n '/^<!-- boards/,/^<!-- \/boards/p' "$1" | sed '1d;$d' | diff - "$scratch/table"
+    [ -s "$scratch/table" ] && ! grep -vxF -f "$1" "$scratch/table"
 }
-want=$(sed -n 's/^<!-- boards: make boards, \(.*\) -->$/\1/p' ports/BOARDS.md)
-here="arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpfullversion)"
-check "ports/BOARDS.md has tables of boards" test -n "$want"
-if [ "$want" = "$here" ]; then
-    check "they are what make boards prints" stands_in ports/BOARDS.md
-    sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' ports/BOARDS.md >"$scratch/stale"
-    refuse "tables with another figure are not" stands_in "$scratch/stale"
-elif [ -n "$want" ]; then
-    skip "the tables of boards by $want, here $here" "${want% *}"
+if rows_comparable; then
+    check "configurations.csv has what make boards prints" stands_in $rows
+    sed 's/[1-9]$/0/' $rows >"$scratch/stale"
+    refuse "rows with another figure have not" stands_in "$scratch/stale"
 fi
 finish

@@ -6,10 +6,16 @@
 # PICO_SDK_PATH set, registers are compared with that SDK's headers.
 #
 #   tests/boards/pico.sh [PROGRAM]
+#   tests/boards/pico.sh --write            measures the board's rows of configurations.csv
 . "$(dirname "$0")/../lib/script.sh"
+. "$(dirname "$0")/../lib/flash.sh"
+. "$(dirname "$0")/../lib/rows.sh"
 
+write=
+[ "${1:-}" != --write ] || { write=1; shift; }
 program=${TP_PROGRAM:-${1:-build/host/tidepool}}
 scene=count-64@64
+measured="count-64@64 lava@64 tarn@64 minimal@64"      # scenes of --write
 here=tests/boards/pico
 client=build/tests/pico                 # the package is installed here
 image=build/pico/scenes/$scene
@@ -141,10 +147,24 @@ emulated()      # IMAGE [PICTURES]: frames from 60 on into $scratch/said
     arm-none-eabi-nm "${1%.*}.elf" | timeout 300 node $here/run.js $client "$@" \
         >"$scratch/said"
 }
-cycles()        # COLUMN: of frame 61
+row()           # CORES: of the program in $image that drew last
 {
-    awk -v column="$1" '$1 == "frame" { n = $2 }
-        $1 == "cycles" && n == 61 { print $column }' "$scratch/said"
+    arm-none-eabi-size -A "$image.elf" >"$scratch/size" &&
+        memory_of "$(dirname "$image")/../baked/$scene.c" >"$scratch/head" &&
+        awk -v scene="$scene" -v cores="$1" -v format=rgb565be -v tiles=64x16 \
+            -f tests/boards/pico.awk "$scratch/size" "$scratch/head" "$scratch/said"
+}
+# Rows of all measured scenes, by both cores and by one.
+measure()       # CORES BUILD [VARIABLE=VALUE]...
+{
+    cores=$1 folder=$2
+    shift 2
+    for scene in $measured; do
+        image=build/$folder/scenes/$scene
+        build -s BOARD=pico TARGET="$folder" "$@" SCENE="$scene" elf uf2 \
+            >"$scratch/log" 2>&1 && emulated "$image.bin" && row "$cores" >>"$scratch/rows" ||
+            { cat "$scratch/log" "$scratch/said"; return 1; }
+    done
 }
 crcs()          # FRAMES...: CRCs of the panel's pictures
 {
@@ -194,6 +214,14 @@ answers()       # each line is answered
         grep -q "^ok $answer" "$scratch/said" || return 1
     done
 }
+if [ -n "$write" ]; then
+    check "rows by both cores" measure 2 pico
+    check "rows by one core" measure 1 pico-one CORE_AT=build/pico-one/core \
+        CPPFLAGS=-DPICO_CORES=1
+    [ "$failed" != 0 ] || rows_put "$scratch/rows"
+    finish
+    exit
+fi
 check "the boot ROM starts it, and it draws" emulated "$image.bin"
 check "frames 60 and 61 are the host's" frames_are 60
 refuse "they are not 61 and 62" frames_are 61
@@ -211,23 +239,18 @@ check "the panel is turned, rows from its long side" \
 check "a stack that overflows is told" \
     grep -q '^error the stack of core 1 overflowed' "$scratch/said"
 
-# Milliseconds of frame 61 at 133 MHz, without the wait for flash: begin and the busier
-# core's tiles; begin and all tiles.
-begin=$(cycles 3) first=$(cycles 6) second=$(cycles 7)
-busier=$((first > second ? first : second))
-two=$(((begin + busier) / 133000)) one=$(((begin + first + second) / 133000))
-echo "frame 61: $two ms by two cores, $one ms by one; stacks $(sed -n 's/^stack . //p' \
-    "$scratch/said" | tr '\n' ' ')"
-told()          # the page gives these figures, within a tenth
+# -- the rows of configurations.csv ----------------------------------------------------
+
+in_table()      # FILE: has the row of this program
 {
-    row=$(grep "^| .${scene%@*}. |" ports/pico/README.md)
-    for figure in "$two two" "$one one"; do
-        page=$(echo "$row" | sed -n "s/.* \([0-9]*\) ms by ${figure#* } core.*/\1/p")
-        [ "$((10 * ${page:-0}))" -ge "$((9 * ${figure% *}))" ] &&
-            [ "$((10 * ${page:-0}))" -le "$((11 * ${figure% *}))" ] || return 1
-    done
+    row 2 >"$scratch/row" || { cat "$scratch/row"; return 1; }
+    grep -qxF -f "$scratch/row" "$1" || { cat "$scratch/row"; return 1; }
 }
-check "the page gives the measured time" told
+if rows_comparable; then
+    check "configurations.csv has the measured row" in_table $rows
+    sed 's/[0-9]$/x/' $rows >"$scratch/other"
+    refuse "a table with other figures has not" in_table "$scratch/other"
+fi
 
 # -- another panel ---------------------------------------------------------------------
 

@@ -85,8 +85,7 @@ check "the callbacks for a parallel bus compile" parallel
 # Figures of the page: two bytes a pixel and 11 bytes a window; test_lcd checks the driver.
 figures()
 {
-    used=$("$scratch/pico" | awk '{ print $(NF - 1); exit }')
-    for figure in "$used" $((320 * 240 * 2 + 11)) $((320 * 240 * 2 + 11 * 5 * 15)); do
+    for figure in $((320 * 240 * 2 + 11)) $((320 * 240 * 2 + 11 * 5 * 15)); do
         grep -q "$(echo "$figure" | sed 's/\(...\)$/,\1/')" $page || { echo "$figure"; return 1; }
     done
 }

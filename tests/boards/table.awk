@@ -1,18 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Tables of boards and scenes, in Markdown.
+# Rows of tests/boards/configurations.csv, of programs that were measured.
 #
 #   awk -v from=FOLDER -f tests/boards/table.awk SHOTS
 #
 # SHOTS has lines BOARD/SCENE. FOLDER has for each the output of `size -A` (.size), the
-# board's output (.said), the plugin's counts (.counts) and the bytes sent to a display
-# (.sent).
-BEGIN {
-    FS = "/"
-    memory = "| board, scene | frame | water | mirror | tile | world | in all | stack |\n" \
-        "|---|---|---|---|---|---|---|---|\n"
-    work = "| board, scene | picture, tiles | code | constants | scene | instructions | sent" \
-        " |\n|---|---|---|---|---|---|---|\n"
-}
+# uses of the baked file's head (.head), the board's output (.said), the plugins' counts
+# (.counts) and the bytes sent to a display (.sent).
+BEGIN { FS = "/" }
 
 function look(file,    line, word, n, i)
 {
@@ -20,47 +14,50 @@ function look(file,    line, word, n, i)
         n = split(line, word, " ")
         if (word[1] ~ /^\./)
             size[word[1]] = word[2]
-        else if (word[1] == "frame")
+        else if (word[1] == "frame" && file ~ /[.]said$/)
             frames++
-        else if (word[1] == "ram")
-            for (i = 2; i < n; i += 2)
+        else if (word[1] == "ram" || word[1] == "sent")
+            for (i = 2 - (word[1] == "sent"); i < n; i += 2)
                 value[word[i]] = word[i + 1]
-        else if (word[1] == "sent")
-            value["sent"] = word[2]
         else if (word[1] == "picture")
-            picture = word[2] " " word[3] ", " word[4]
+            picture = word[2] "," word[3] "," word[4]
         else if (word[1] == "count" && word[3] ~ /^(frame|tiles)$/)
-            insns += word[5]
+            instructions += word[5]
+        else if (word[1] == "cycles" && word[2] ~ /frame|tiles/)
+            cycles += word[5]
+        else if (file ~ /[.]head$/)
+            head[word[1]] = word[2]
     }
     close(file)
 }
+function fail(why)
+{
+    print "FAILED - " $0 ": " why
+    exit failed = 1
+}
 
 {
-    frames = insns = 0
+    frames = instructions = cycles = 0
     split("", size)
     split("", value)
+    split("", head)
     look(from "/" $0 ".size")
+    look(from "/" $0 ".head")
     look(from "/" $0 ".said")
     look(from "/" $0 ".counts")
     look(from "/" $0 ".sent")
-    if (!value["sent"] || !frames || !insns || !size[".text"] || !value["frame"]) {
-        print "FAILED - " $0 ": nothing was measured"
-        failed = 1
-        exit 1
-    }
-    all = value["frame"] + value["scratch"] + value["panel"] + value["world"] \
-        + size[".data"] + size[".bss"]
-    memory = memory sprintf("| %s, `%s` | %d | %d | %d | %d | %d | %d | %d |\n", $1, $2,
-        value["frame"] - value["vertices"] - value["mirror"], value["vertices"],
-        value["mirror"], value["scratch"] + value["panel"], value["world"], all,
-        value["stack"])
-    work = work sprintf("| %s, `%s` | %s | %d | %d | %d | %d | %d |\n", $1, $2, picture,
-        size[".text"], size[".rodata"] + size[".exidx"], size[".baked"],
-        insns / frames, value["sent"])
-}
-
-END {
-    if (failed)
-        exit 1
-    printf "%s\n%s", memory, work
+    if (!value["sent"] || !frames || !instructions || !size[".text"] || !value["frame"])
+        fail("nothing was measured")
+    parts = head["frame"] + head["vertices"] + head["tables"] + head["mirror"]
+    if (parts != value["frame"] || head["tile"] != value["scratch"] ||
+            head["world"] != value["world"])
+        fail("bake said another RAM: " parts)
+    if (head["scene"] + head["pictures"] > size[".baked"] + 8 ||
+            head["scene"] + head["pictures"] < size[".baked"] - 8)
+        fail("bake said another scene")
+    printf "%s,%s,1,%s,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d\n", $1, $2, picture,
+        size[".text"], size[".rodata"] + size[".exidx"], head["scene"], head["pictures"],
+        head["frame"], head["vertices"], head["tables"], head["mirror"], head["tile"],
+        head["world"], value["panel"] + size[".data"] + size[".bss"], value["stack"],
+        instructions / frames, cycles / frames, value["sent"]
 }

@@ -1,16 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Measures scenes on boards for the tables of ports/BOARDS.md: flash, working memory, stack,
-# instructions of a frame and the bytes sent to a display.
+# Measures scenes on boards that QEMU emulates, a row of configurations.csv each: flash, RAM,
+# stack, instructions of a frame, cycles for a Cortex-M0, and the bytes sent to a display.
 #
 #   tests/boards/table.sh [FOLDER | --write]
 #
 # Runs the programs on emulated boards and counts their instructions by the plugin.  FOLDER
 # keeps the output of each program (BOARD/SCENE.said), which has the frames.
-# --write writes the tables into ports/BOARDS.md, with the compiler's version, and their
-# short form (brief.awk) into README.md.
+# --write writes the rows, and the pages' tables of all rows (figures.sh).
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
+. "$(dirname "$0")/../lib/flash.sh"
+. "$(dirname "$0")/../lib/rows.sh"
 
 # board | scene, @ largest side of its textures in texels; one of the boards is live
 shots='
@@ -22,17 +23,20 @@ stm32vldiscovery  bay@64
 lm3s6965evb       tarn
 '
 live=$live_board
-sent=build/host/tests/boards/sent
+sent=build/host/tests/boards/sent cycles=build/host/cycles.so
 to=${1:-$scratch}
 [ "$to" != --write ] || to=$scratch
 
-# Draws two frames and ends.
+# Draws two frames and ends. Of a Cortex-M0 the cycles are counted too.
 run()           # BOARD SCENE
 {
+    timed=
+    [ "$1" != microbit ] || timed="-plugin $cycles"
+    # shellcheck disable=SC2086
     timeout 60 qemu-system-arm -M "$1" -nographic -monitor none -serial null \
         -chardev file,id=said,path="$to/$1/$2.said" \
         -semihosting-config enable=on,target=native,chardev=said -kernel "$elf" \
-        -plugin $plugin 2>"$to/$1/$2.counts" </dev/null ||
+        -plugin $plugin $timed 2>"$to/$1/$2.counts" </dev/null ||
         { cat "$to/$1/$2.said" >&2; return 1; }
     # shellcheck disable=SC2046
     $sent $(awk '/^picture/ { print $2, $4, $3 }' "$to/$1/$2.said") >"$scratch/sent" &&
@@ -68,30 +72,19 @@ shoot()         # BOARD SCENE
     alone build -s BOARD="cortex-m/$1" SCENE="$2" elf >"$scratch/log" 2>&1 ||
         { cat "$scratch/log" >&2; return 1; }
     arm-none-eabi-size -A "$elf" >"$to/$1/$2.size"
+    memory_of "build/$1/baked/$2.c" >"$to/$1/$2.head"
     if [ "$1" = "${live#*/}" ]; then talk "$1" "$2"; else run "$1" "$2"; fi
 }
 
-alone build -s $plugin $sent >/dev/null || exit 1
+alone build -s $plugin $cycles $sent >/dev/null || exit 1
 echo "$shots" | while read -r board scene; do
     [ -z "$board" ] || shoot "$board" "$scene" || exit 1
     [ -z "$board" ] || echo "$board/$scene"
 done >"$scratch/shots" || exit 1
-awk -v from="$to" -f tests/boards/table.awk "$scratch/shots" >"$scratch/table" || exit 1
-cat "$scratch/table"
-[ "${1:-}" = --write ] || exit 0
-
-put()           # PAGE TABLE HEAD: the table between the page's two comment lines
-{
-    awk -v table="$2" -v head="$3" '
-        /^<!-- \/boards/ { within = 0 }
-        /^<!-- boards/ {
-            print "<!-- boards: " head " -->"
-            while ((getline line < table) > 0) print line
-            within = 1
-        }
-        !within' "$1" >"$scratch/page" && cp "$scratch/page" "$1"
-}
-put ports/BOARDS.md "$scratch/table" \
-    "make boards, arm-none-eabi-gcc $(arm-none-eabi-gcc -dumpfullversion)" &&
-    awk -f tests/boards/brief.awk ports/BOARDS.md >"$scratch/brief" &&
-    put README.md "$scratch/brief" "short form of ports/BOARDS.md"
+awk -v from="$to" -f tests/boards/table.awk "$scratch/shots" >"$scratch/rows" ||
+    { cat "$scratch/rows"; exit 1; }
+if [ "${1:-}" = --write ]; then
+    rows_put "$scratch/rows"
+else
+    cat "$scratch/rows"
+fi

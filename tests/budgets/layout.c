@@ -29,8 +29,8 @@ enum { MATERIALS = 8 };         /* a whole number of an arena's units, whatever 
 static const tp_texture texture = { .log2_w = 4, .log2_h = 4, .levels = 5 };
 static const tp_grey grey = { .cols = 8, .rows = 8 };
 static const tp_mesh meshes[2] = {
+    { .n_vertices = 64, .n_faces = 64, .n_materials = 0 },
     { .n_vertices = 64, .n_faces = 64, .n_materials = MATERIALS },
-    { .n_vertices = 64, .n_faces = 64, .n_materials = 2 * MATERIALS },
 };
 
 static const int32_t entry[1];

@@ -115,16 +115,8 @@ keys()          # prints the preview's keys: the first one of each action
 }
 check "ports/app/preview/KEYS.md lists the preview's keys" keys
 
-# -- tables and links -------------------------------------------------------------------
+# -- links ------------------------------------------------------------------------------
 
-brief()         # PAGE: its short table of boards is made of the tables of ports/BOARDS.md
-{
-    sed -n '/^<!-- boards/,/^<!-- \/boards/p' "$1" | sed '1d;$d' >"$scratch/brief"
-    awk -f tests/boards/brief.awk ports/BOARDS.md | diff "$scratch/brief" -
-}
-check "the README's table of boards is the short form of ports/BOARDS.md" brief README.md
-sed '/^<!-- boards/,/^<!-- \/boards/s/[1-9] |$/0 |/' README.md >"$scratch/stale"
-refuse "a table with another figure is not" brief "$scratch/stale"
 links()         # each link of a page leads to a file or a folder
 {
     for page in README.md assets/charts/README.md \

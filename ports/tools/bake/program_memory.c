@@ -134,7 +134,20 @@ enum {
     COPIED = 72, MADE = 36,             /* code of NAME_world_init */
     PROGRAM = sizeof(tp_program) / sizeof(void *) * POINTER,
     USE = sizeof(tp_use) / sizeof(void *) * POINTER,
+    LACK = 3 * POINTER,
+    UNIT = 8,                   /* of an arena */
 };
+
+/* Returns the bytes of the list of refused modules, with their names. */
+static size_t refused_bytes(const component_set *refused)
+{
+    size_t sum = 0;
+
+    for (size_t i = 0; i < component_count; i++)
+        if (components[i].kind == COMPONENT_MODULE && refused->has[i])
+            sum += LACK + (strlen(components[i].name) + POINTER) / POINTER * POINTER;
+    return sum ? sum + LACK : 0;
+}
 
 /* Returns the bytes of a list's own tables: of modules, and of the stages of each. */
 static size_t list_bytes(const component_set *of)
@@ -178,6 +191,16 @@ static void add_tables_and_world(program_memory *m, const bake_program *program,
 
 /* -- the frame ----------------------------------------------------------------------- */
 
+/* True if a frame may draw its water by a renderer. */
+static bool may_draw(const tp_frame *frame, const struct tp_water_renderer *renderer)
+{
+    for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_WALK; v++)
+        if (frame->buffers.rung_mask.visibility >> v & 1
+            && tp_frame_renderer(frame->program, (tp_visibility)v) == renderer)
+            return true;
+    return false;
+}
+
 /* Takes from the vertices what the renderers lay out less. */
 static void shrink_vertices(program_memory *m, const tp_frame *frame)
 {
@@ -190,12 +213,9 @@ static void shrink_vertices(program_memory *m, const tp_frame *frame)
         { &tp_method_streamed_walk, "tp_method_streamed_walk" },
     };
 
-    for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_WALK; v++)
-        for (size_t i = 0; i < sizeof renderers / sizeof *renderers; i++)
-            if (frame->buffers.rung_mask.visibility >> v & 1
-                && renderers[i].renderer
-                       == tp_frame_renderer(frame->program, (tp_visibility)v))
-                m->vertices -= smaller(renderers[i].part);
+    for (size_t i = 0; i < sizeof renderers / sizeof *renderers; i++)
+        if (may_draw(frame, renderers[i].renderer))
+            m->vertices -= smaller(renderers[i].part);
 }
 
 static size_t drawing_bytes(const tp_drawing *drawing,
@@ -245,7 +265,7 @@ static size_t drawing_smaller(size_t i, const component_terms *terms, const tp_a
     if (strcmp(components[i].name, "boat") == 0 && names->boat)
         materials = names->boat->n_materials < TP_BOAT_MATERIALS ? names->boat->n_materials
                                                                  : TP_BOAT_MATERIALS;
-    return smaller(symbol) + materials / 2 * 2 * smaller("material");
+    return smaller(symbol) + materials * smaller("material") / UNIT * UNIT;
 }
 
 /* Takes from tables and mirror what modules and shader lists lay out less. */
@@ -253,7 +273,6 @@ static void shrink_modules(program_memory *m, const tp_frame *frame,
                            const component_search_result *found,
                            const component_terms *terms, const tp_assets *names)
 {
-    enum { UNIT = 8 };          /* of an arena */
     size_t n = 0;
 
     for (size_t i = 0; i < component_count; i++) {
@@ -272,7 +291,8 @@ static void shrink_modules(program_memory *m, const tp_frame *frame,
     }
     m->tables -= n * sizeof(void *) - (n * POINTER + UNIT - 1) / UNIT * UNIT;
     m->tables -= smaller("lists");
-    m->tables -= (frame->buffers.marks.lists - (TP_LIST_WATER + 1u)) * smaller("list");
+    m->tables -= (frame->buffers.marks.lists - (TP_LIST_WATER + 1u)) * smaller("list")
+               / UNIT * UNIT;
 }
 
 static int add_frame(program_memory *m, const component_search_result *found,
@@ -331,7 +351,8 @@ int program_memory_measure(program_memory *m, const bake_program *program, const
     symbols all;
     tp_config config = request->config;
 
-    *m = (program_memory){ .scene = list_bytes(&program->found.in) };
+    *m = (program_memory){ .scene = list_bytes(&program->found.in)
+                                    + refused_bytes(&program->found.refused) };
     terms.world = bake_world_is_copied(program, names);
     m->world = bake_world_bytes(program, names);
     add_assets(m, b, names);
