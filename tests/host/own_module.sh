@@ -133,7 +133,7 @@ int main(void)
 }
 END
 run bake "$scene" --set boat.mesh= $on --size 160x120 --format xrgb8888 --name baked -o b.c
-judge "it is baked" 0 ""
+judge "it is baked" 0 "bytes of RAM"
 same "with its stage in the list" "$(grep -c 'tp_stage_buoy,$' b.c)" 1
 own=$build/more/buoy/ports/examples/buoy
 ${CC:-cc} -std=c11 -I"$root/include" -I"$root/src" -I"$root" \

@@ -47,7 +47,7 @@ static const command_help_row rows[] = {
       CHECKS, "the program would draw another picture" },
     { FOR_PLAN, "tidepool plan SCENE [OPTION]...",
       "Prints the rungs that draw the scene: the cost of a frame on a Cortex-M4, the\n"
-      "errors of outlines and colours, and the bytes.  The reference of an error is a\n"
+      "errors, and the bytes of the baked program.  The reference of an error is a\n"
       "mesh and pixels many times finer; a rung's error counts beyond that of the exact\n"
       "rung.  The plan takes the cheapest rungs within quality.error_px and\n"
       "quality.error_colour.  A rung that the scene names (quality.visibility, shading,\n"

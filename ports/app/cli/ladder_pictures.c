@@ -86,8 +86,8 @@ static int measure_program(ladder_step *step, const loaded_scene *s, const optio
     return code;
 }
 
-/* Draws the pictures of a step; worlds: sets its RAM and flash too. */
-static int draw_step(ladder_step *step, const options *o, pictures *to,
+/* Draws the pictures of a step; measured: sets its RAM and flash too. */
+static int draw_step(ladder_step *step, const options *o, pictures *to, bool measured,
                      component_search_worlds *worlds)
 {
     loaded_scene s;
@@ -99,7 +99,7 @@ static int draw_step(ladder_step *step, const options *o, pictures *to,
         frame_renderer_draw(&s.renderer, s.world);
         copy_picture(&s.renderer.picture, to->pixel[i]);
     }
-    if (!code && worlds)
+    if (!code && measured)
         code = measure_program(step, &s, o, worlds);
     loaded_scene_close(&s);
     return code;
@@ -162,12 +162,12 @@ int ladder_pictures_measure(ladder_step *step, uint32_t count, const options *o,
                        && pictures_take(&truth, pixels)
                    ? EXIT_DONE : log_fail_memory(6 * pixels * 4);
 
-    code = code ? code : draw_step(&first, o, &exact, NULL);
+    code = code ? code : draw_step(&first, o, &exact, false, NULL);
     if (reference && !code)
         code = draw_reference(o, &first, &truth);
     for (uint32_t i = 0; i < count && !code; i++) {
         progress_show(&p, i, count);
-        code = draw_step(&step[i], o, &drawn, &worlds);
+        code = draw_step(&step[i], o, &drawn, true, count > 1 ? &worlds : NULL);
         measure_against(&step[i], &exact, &drawn, pixels);
         step[i].total = reference ? total_error(&truth, &drawn, pixels) : -1;
     }

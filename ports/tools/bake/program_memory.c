@@ -366,27 +366,29 @@ int program_memory_measure(program_memory *m, const bake_program *program, const
 }
 
 /* Returns the options by which bake would find the list, for a board without a user and for
- * pictures of a board's size at most. */
-static options options_for_search(const options *o)
+ * pictures of at most so many columns. */
+static options options_for_search(const options *o, uint32_t columns)
 {
-    enum { COLUMNS = 320, ROWS_LEAST = 16 };
+    enum { ROWS_LEAST = 16 };
     options small = *o;
 
     small.no_input = true;
     small.with = small.without = NULL;
-    if (o->width > COLUMNS) {
-        small.width = COLUMNS;
-        small.height = o->height * COLUMNS / o->width;
+    if (o->width > columns) {
+        small.width = columns;
+        small.height = o->height * columns / o->width;
         small.height = small.height < ROWS_LEAST ? ROWS_LEAST : small.height;
     }
     return small;
 }
 
+enum { COLUMNS = 320, COLUMNS_OF_MANY = 96 };
+
 static int find_program(bake_program *program, bake *b, const tp_scene *scene,
                         const tp_assets *all, tp_assets *names, const options *o,
                         component_search_worlds *worlds)
 {
-    const options small = options_for_search(o);
+    const options small = options_for_search(o, worlds ? COLUMNS_OF_MANY : COLUMNS);
     int code = bake_find_program(program, &small, scene, all, names, worlds);
 
     program->request.config.width = o->width;

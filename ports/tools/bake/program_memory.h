@@ -35,8 +35,10 @@ int program_memory_measure(program_memory *m, const bake_program *program, const
                            const tp_assets *names);
 
 /* The same for a scene whose rungs are named: finds the program that bake would write for o's
- * size, format, tiles and --stream, for a board without a user.  worlds: those of an
- * earlier search, kept for later ones, or NULL; the caller closes worlds->run. */
+ * size, format, tiles and --stream, for a board without a user, from pictures of at most 320
+ * columns.  worlds: for many searches, those of an earlier search, kept for later ones; the
+ * caller closes worlds->run.  Pictures then have at most 96 columns, in which a list may lack a
+ * piece: 2 % of the code in one of 17 scenes.  NULL: one search. */
 int program_memory_find(program_memory *m, const tp_scene *scene, const tp_assets *names,
                         const options *o, component_search_worlds *worlds);
 
