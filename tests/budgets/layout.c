@@ -12,7 +12,10 @@
 #if __STDC_HOSTED__
 #include <stdio.h>
 
-static void say(const char *part, size_t bytes) { printf("%s %zu\n", part, bytes); }
+static void say(const char *part, size_t bytes)
+{
+    printf("%s %zu\n", part, bytes);
+}
 #else
 #include "cortex-m/semihost.h"
 
@@ -24,7 +27,7 @@ static void say(const char *part, size_t bytes)
 }
 #endif
 
-enum { MATERIALS = 8 };         /* a whole number of an arena's units, whatever their size */
+enum { MATERIALS = 8 }; /* a whole number of an arena's units, whatever their size */
 
 static const tp_texture texture = { .log2_w = 4, .log2_h = 4, .levels = 5 };
 static const tp_grey grey = { .cols = 8, .rows = 8 };
@@ -42,19 +45,25 @@ static const tp_tables tables = { {
 
 static const tp_assets assets[2] = {
 #define T &texture
-#define ALL(mesh) { .boat = (mesh), .layer = { T, T, T }, .distortion = T, .ripple = T, \
-                    .foam = T, .sky = { T, T, T, T, T, T }, .tank_wall = T,             \
-                    .tank_floor = T, .floor_texture = T, .floor = &grey,                \
-                    .pool_mask = &grey, .field_mask = &grey, .tables = &tables }
+#define ALL(mesh)                                                                        \
+    {                                                                                    \
+        .boat = (mesh), .layer = { T, T, T }, .distortion = T, .ripple = T, .foam = T,   \
+        .sky = { T, T, T, T, T, T }, .tank_wall = T, .tank_floor = T,                    \
+        .floor_texture = T, .floor = &grey, .pool_mask = &grey, .field_mask = &grey,     \
+        .tables = &tables                                                                \
+    }
     ALL(&meshes[0]), ALL(&meshes[1])
 };
 
 /* Every named renderer, with the streamed ones. */
-static const struct { const char *name; const struct tp_water_renderer *renderer; } methods[] = {
+static const struct {
+    const char *name;
+    const struct tp_water_renderer *renderer;
+} methods[] = {
 #define X(name) { "tp_method_" #name, &tp_method_##name },
     TP_METHOD_LIST(X)
 #undef X
-    { "tp_method_streamed", &tp_method_streamed },
+        { "tp_method_streamed", &tp_method_streamed },
     { "tp_method_streamed_walk", &tp_method_streamed_walk },
 };
 
@@ -105,11 +114,16 @@ static void measure_tables(const tp_module_conditions *conditions)
 }
 
 /* Lines "drawing NAME BYTES": NAME as the module's. */
-static void measure_drawings(const tp_scene *scene, const tp_config *config, uint32_t shading)
+static void measure_drawings(const tp_scene *scene, const tp_config *config,
+                             uint32_t shading)
 {
     tp_module_conditions conditions = {
-        .scene = scene, .assets = &assets[0], .water = &tp_program_all.water,
-        .width = config->width, .height = config->height, .shadings = 1u << shading,
+        .scene = scene,
+        .assets = &assets[0],
+        .water = &tp_program_all.water,
+        .width = config->width,
+        .height = config->height,
+        .shadings = 1u << shading,
         .above = UINT32_MAX,
     };
 
@@ -142,8 +156,9 @@ static void measure_lists(void)
 
 int main(void)
 {
-    const tp_config config = { .width = 320, .height = 240, .tile_width = 320,
-                               .tile_height = 16 };
+    const tp_config config = {
+        .width = 320, .height = 240, .tile_width = 320, .tile_height = 16
+    };
     static tp_scene scene;
 
     say("frame", sizeof(tp_frame));

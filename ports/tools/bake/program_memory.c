@@ -160,8 +160,8 @@ static size_t list_bytes(const component_set *of)
             sum += USE;
         if (components[i].kind != COMPONENT_DRAWING || !of->has[i])
             continue;
-        for (size_t k = i + 1; k < component_count
-                               && components[k].kind == COMPONENT_MODULE_STAGE; k++)
+        for (size_t k = i + 1;
+             k < component_count && components[k].kind == COMPONENT_MODULE_STAGE; k++)
             stages++;
         sum += (stages ? stages : 1) * POINTER;
     }
@@ -172,7 +172,8 @@ static void add_assets(program_memory *m, const bake *b, const tp_assets *names)
 {
     m->scene += SCENE + ASSETS;
     if (names->boat)
-        m->scene += MESH + bake_mesh_bytes(names->boat) + names->boat->n_materials * MATERIAL;
+        m->scene +=
+            MESH + bake_mesh_bytes(names->boat) + names->boat->n_materials * MATERIAL;
     for (uint32_t i = 0; i < b->n_pictures; i++)
         m->pictures += TEXTURE + bake_texture_bytes(b->pictures[i].texture);
     for (int i = 0; i < BAKE_GREYS; i++)
@@ -204,12 +205,14 @@ static bool may_draw(const tp_frame *frame, const struct tp_water_renderer *rend
 /* Takes from the vertices what the renderers lay out less. */
 static void shrink_vertices(program_memory *m, const tp_frame *frame)
 {
-    static const struct { const struct tp_water_renderer *renderer; const char *part; }
-    renderers[] = {
+    static const struct {
+        const struct tp_water_renderer *renderer;
+        const char *part;
+    } renderers[] = {
 #define X(name) { &tp_method_##name, "tp_method_" #name },
         TP_METHOD_LIST(X)
 #undef X
-        { &tp_method_streamed, "tp_method_streamed" },
+            { &tp_method_streamed, "tp_method_streamed" },
         { &tp_method_streamed_walk, "tp_method_streamed_walk" },
     };
 
@@ -256,15 +259,17 @@ static size_t tables_smaller(const tp_frame *frame, const tp_drawing *drawing)
 }
 
 /* Returns what module `i` of the components lays out less. */
-static size_t drawing_smaller(size_t i, const component_terms *terms, const tp_assets *names)
+static size_t drawing_smaller(size_t i, const component_terms *terms,
+                              const tp_assets *names)
 {
     char symbol[64];
     size_t materials = 0;
 
     component_symbol(i, terms, symbol, sizeof symbol);
     if (strcmp(components[i].name, "boat") == 0 && names->boat)
-        materials = names->boat->n_materials < TP_BOAT_MATERIALS ? names->boat->n_materials
-                                                                 : TP_BOAT_MATERIALS;
+        materials = names->boat->n_materials < TP_BOAT_MATERIALS
+                        ? names->boat->n_materials
+                        : TP_BOAT_MATERIALS;
     return smaller(symbol) + materials * smaller("material") / UNIT * UNIT;
 }
 
@@ -292,7 +297,7 @@ static void shrink_modules(program_memory *m, const tp_frame *frame,
     m->tables -= n * sizeof(void *) - (n * POINTER + UNIT - 1) / UNIT * UNIT;
     m->tables -= smaller("lists");
     m->tables -= (frame->buffers.marks.lists - (TP_LIST_WATER + 1u)) * smaller("list")
-               / UNIT * UNIT;
+                 / UNIT * UNIT;
 }
 
 static int add_frame(program_memory *m, const component_search_result *found,
@@ -431,8 +436,8 @@ void program_memory_print(const program_memory *m, FILE *out, const char *before
     PROGRAM_RAM_LIST(BYTES)
     fprintf(out, "%9zu\n%s     %9s%10s%9s%9s%9s\n", program_memory_ram(m), before, "code",
             "constants", "scene", "pictures", "in all");
-    fprintf(out, "%sflash%9zu%10zu%9zu%9zu%9zu\n", before, m->code, m->constants, m->scene,
-            m->pictures, program_memory_flash(m));
+    fprintf(out, "%sflash%9zu%10zu%9zu%9zu%9zu\n", before, m->code, m->constants,
+            m->scene, m->pictures, program_memory_flash(m));
 #undef NAME
 #undef BYTES
 }
