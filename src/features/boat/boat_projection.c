@@ -82,9 +82,10 @@ TP_ALWAYS_INLINE int32_t dot(tp_vec3 d, tp_dir3 axis)
 /* The same as set_clamped, if is_bounded. */
 TP_ALWAYS_INLINE void set_bounded(const tp_boat_view *b, tp_vec3 at, tp_view_vertex *to)
 {
-    const tp_vec3 p = { (tp_fx)scaled(at.x, b->metres), (tp_fx)scaled(at.y, b->metres),
+    if (b->metres != TP_FX_ONE)
+        at = (tp_vec3){ (tp_fx)scaled(at.x, b->metres), (tp_fx)scaled(at.y, b->metres),
                         (tp_fx)scaled(at.z, b->metres) };
-    const tp_vec3 d = tp_vec3_sub(p, b->projection.eye);
+    const tp_vec3 d = tp_vec3_sub(at, b->projection.eye);
 
     to->x = dot(d, b->projection.right);
     to->y = dot(d, b->projection.up);
