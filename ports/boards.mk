@@ -97,9 +97,9 @@ endif
 LD_FILES := $(if $(BOARD),$(BOARD_LD) $(wildcard $(addprefix $(dir $(BOARD_LD)), \
                *.ld ../*.ld)))
 # A scene's functions that run in RAM, for the linker script of a board with slow flash.
-$(BUILD)/in_ram/%/in_ram.ld: $(IN_RAM) ports/pico/in_ram.awk
+$(BUILD)/in_ram/%/in_ram.ld: $(IN_RAM) ports/pico/in_ram.awk $(BUILD)/bake
 	@mkdir -p $(@D)
-	@awk -v scene=$* -f ports/pico/in_ram.awk $(IN_RAM) >$@
+	@awk -v scene=$* -v settings='$(SETTINGS)' -f ports/pico/in_ram.awk $(IN_RAM) >$@
 # All that a test's own program for a board needs besides its own objects.
 BOARD_REST := $(filter-out %/main.o,$(BOARD_O)) $(LIB) $(LD_FILES)
 LINK_ELF  = $(LINK) -nostdlib $(if $(IN_RAM),-L$(BUILD)/in_ram/$*) -T $(BOARD_LD) \

@@ -166,7 +166,7 @@ soak-tests: everything build/host/count.so build/host/tally.so
 	    $(patsubst %,tests/gates/%.sh,coverage sanitized host) \
 	    tests/cross/run.sh tests/fuzz/run.sh tests/bench/views.sh tests/accuracy/rungs.sh \
 	    tests/charts/sweep.sh \
-	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console) \
+	    $(patsubst %,tests/boards/%.sh,rpi linuxfb kms_events console pico_scenes) \
 	    $(patsubst %,tests/budgets/%.sh,prices models-count scenes-count \
                 effects rung-judge board-rungs code-sizes \
                 processor-prices) \
