@@ -7,7 +7,8 @@
  *     scene_rungs SCENE.ini [--only NAME] [--rung NAME] [--set NAME=VALUE]...
  *
  * The options are those of the scene's cheapest rungs, the line `cheap`; with --only, of the
- * only line, of that name. Rungs that change no pixel of the scene are left out.
+ * only line, of that name. Without --rung the plan's rungs are taken. Rungs that change no
+ * pixel of the scene are left out.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,6 +48,8 @@ static void open_at(loaded_scene *s, options *o, uint32_t tick)
 {
     if (loaded_scene_load(s, o) != EXIT_DONE || loaded_scene_make_world(s) != EXIT_DONE)
         exit(EXIT_INPUT);
+    if (!o->rung)               /* the plan's rungs, as bake takes them */
+        tp_rung_set_apply_some(&s->file.scene, &s->plan.set, s->plan.open);
     while (s->world->tick < tick)
         tp_world_step(&tp_program_all, s->world, &s->file.scene, NULL);
 }

@@ -42,17 +42,18 @@ $(PROGRAMS:%=%.elf): %.elf: %.o $(BUILD)/tests/budgets/minimal.o $(BOARD_REST)
 $(BUILD)/tests/budgets/rung_samples: $(BUILD)/tests/budgets/rung_samples.o $(BUILD)/ports.a $(LIB)
 	$(SAY)$(LINK) $^ $(LIBS) -o $@
 
-# The shipped scenes in 128 KB and 264 KB of RAM: SCENE-KB, with the options of its line.
+# The shipped scenes in so many KB of RAM: SCENE-KB, with the options of its line.
 SHIPPED_RAM := tests/budgets/shipped-ram.txt
 $(BUILD)/shipped/baked/%.c: $(SHIPPED_RAM) $(BAKED_FROM)
 	@mkdir -p $(@D)
-	$(SAY)build/host/tidepool bake assets/scenes/$(patsubst %-128,%,$(*:-264=)).ini \
-	    --name baked $(BAKE) --texels 64 $$(sed -n 's/^$* *| *//p' $(SHIPPED_RAM)) -o $@
+	$(SAY)build/host/tidepool bake --name baked \
+	    assets/scenes/$(patsubst %-28,%,$(patsubst %-128,%,$(*:-264=))).ini $(BAKE) \
+	    --texels 64 $$(sed -n 's/^$* *| *//p' $(SHIPPED_RAM)) -o $@
 $(BUILD)/shipped/baked/%.o: $(BUILD)/shipped/baked/%.c $(BUILD)/flags
 	$(SAY)$(COMPILE) -c $< -o $@
 $(BUILD)/shipped/%.elf: $(BUILD)/shipped/baked/%.o $(BUILD)/ports/cortex-m/main.o $(BOARD_REST)
 	$(SAY)$(LINK_ELF)
-# The layout of a frame, here and on a board, for tests/budgets/board-sizes.sh.
+# The layout of a frame, here and on a board, for tests/budgets/code-sizes.sh.
 $(BUILD)/tests/budgets/layout: $(BUILD)/tests/budgets/layout.o $(LIB)
 	$(SAY)$(LINK) $^ -o $@
 $(BUILD)/layout.elf: $(BUILD)/tests/budgets/layout.o $(BOARD_REST)
