@@ -19,7 +19,7 @@ write=
 
 lacks arm-none-eabi-gcc gcc-arm-none-eabi "memory of shipped scenes" && exit 77
 lacks qemu-system-arm qemu-system-arm "memory of shipped scenes" && exit 77
-check "the measuring programs build" build $plugin $psnr
+check "bake and the measuring programs build" build build/host/tidepool $plugin $psnr
 [ "$failed" = 0 ] || exit 1
 
 options()       # NAME

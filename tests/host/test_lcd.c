@@ -272,7 +272,10 @@ static void a_narrower_tile_has_a_window_of_its_own(void **state)
     static uint8_t pixels[32 * 8 * 2];
     const tp_config f = { .width = 32, .height = 16, .tile_height = 8, .format = format };
     lcd_screen *s = opened(&glasses[1], (lcd_config){ .panel = &lcd_st7789, .frame = f });
-    const tp_tile tiles[] = { { 0, 0, 32, 8, pixels, 64 }, { 0, 8, 16, 16, pixels, 64 } };
+    const tp_tile tiles[] = {
+        { .x1 = 32, .y1 = 8, .pixels = pixels, .stride = 64 },
+        { .y0 = 8, .x1 = 16, .y1 = 16, .pixels = pixels, .stride = 64 },
+    };
     memset(pixels, 0x5a, sizeof pixels);
     lcd_begin(&s->driver);
     for (int i = 0; i < 2; i++)
