@@ -49,7 +49,7 @@ figures()
     # shellcheck disable=SC2086
     awk '
         FNR == 1 || /^<!-- \// { within = 0 }
-        /^<!-- [a-z ]*:/ { within = 1 }
+        /^<!-- [A-Za-z ]*:/ { within = 1 }
         !within && $0 ~ "[0-9] ?(KB|MB|kB|bytes|ms|MHz|fps|frames/s|M instructions|million)" \
             "|[0-9] (cycles|instructions|pictures a second)" {
             print FILENAME ":" $0

@@ -15,7 +15,7 @@ write=
 [ "${1:-}" != --write ] || { write=1; shift; }
 program=${TP_PROGRAM:-${1:-build/host/tidepool}}
 scene=count-64@64
-measured="count-64@64 lava@64 tarn@64 minimal@64"      # scenes of --write
+measured="count-64@64 count-64+cheap@64 lava@64 tarn@64 minimal@64"      # scenes of --write
 here=tests/boards/pico
 client=build/tests/pico                 # the package is installed here
 image=build/pico/scenes/$scene

@@ -222,13 +222,11 @@ same "the first is the scene's own and the dearest" "$(sort -rn said | head -1)"
     "$(head -1 said)"
 # So are its values that take less RAM, which save the bytes that it says.
 bytes_of() {            # [OPTION]...
-    run plan harbour --size 320x240 "$@"
-    awk '/^bytes: frame/ { n += $3 }
-        /a tile.s scratch/ { gsub(",", ""); n += $4 + $6 }
-        END { print n }' out
+    run plan harbour --size 320x240 --csv "$@"
+    awk -F, '$1 == "ram" && $2 != "stack" { n += $4 } END { print n }' out
 }
 run plan harbour --size 320x240 --csv
-grep '^ram,' out >rams
+grep '^less ram,' out >rams
 same "a harbour's pool and mirror may be smaller" \
     "$(awk -F, '$4 > 0 && $5 > 0 && NF == 5' rams | cut -d, -f2 | paste -sd' ')" \
     "pool.cell_bits=8 mirror.colours=rgb565 mirror.size=quarter"
@@ -238,7 +236,7 @@ while IFS=, read -r _ setting _ bytes _; do
         "$bytes"
 done <rams
 run plan minimal --size 320x240 --csv
-same "a scene without a pool or a mirror has no such values" "$(grep -c '^ram,' out)" 0
+same "a scene without a pool or a mirror has no such values" "$(grep -c '^less ram,' out)" 0
 cost_of() {
     run plan "$1" --csv --size 320x240 --set "quality.error_px=$2" \
         --set "quality.error_colour=$2"

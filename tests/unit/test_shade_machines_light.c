@@ -12,6 +12,7 @@
 #include "features/boat/boat.h"
 #include "features/exposure/exposure.h"
 #include "features/foam/foam.h"
+#include "features/foam/foam_cover.h"
 #include "features/reflection/reflection.h"
 #include "tests/lib/shading.h"
 
@@ -63,7 +64,7 @@ static void make_foam(void)
         .far_fresh = random_below(&chance, 3) * 9000, .far_old = random_below(&chance, 40),
         .per_square = random_below(&chance, 6000) + 100,
         .way_x = 9830, .way_z = -13107, .shore_x = 13107, .shore_z = 9830,
-        .floor = (uint16_t)floor, .stretch = CELLS * 32768 / 16 * 7,
+        .floor = (uint16_t)floor, .floor_cover = tp_foam_shore_cover, .stretch = CELLS * 32768 / 16 * 7,
         .colour = any_word() & 0xffffff, .repeats = 1 << 15, .wide_repeats = 1 << 13,
         .drift_s = any_word(), .drift_t = any_word(), .wide_drift_s = any_word(),
         .wide_drift_t = any_word(), .lod = chance_int(&chance, -2000, 3000),

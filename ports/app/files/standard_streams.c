@@ -19,12 +19,14 @@ void streams_begin(void)
 }
 
 /* Flushes standard output.  After an earlier failed write, the flush of the rest gives the
- * reason. */
+ * reason; if nothing is left to flush, that of one byte more. */
 int streams_finish(void)
 {
     errno = 0;
-    const bool flushed = fflush(stdout) == 0;
+    bool flushed = fflush(stdout) == 0;
     if (flushed && !ferror(stdout))
         return EXIT_DONE;
+    if (flushed)
+        flushed = fputc('\n', stdout) != EOF && fflush(stdout) == 0;
     return log_fail(EXIT_INPUT, "standard output: %s", strerror(errno ? errno : EIO));
 }
