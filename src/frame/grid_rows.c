@@ -100,7 +100,9 @@ void tp_frame_pack_rows(const tp_frame *frame, int32_t numbers[TP_ROWS_NUMBERS],
     entries += ROW * grid->rows;
     memset(entries, 0, sizeof *entries);
     memcpy(entries, grid->span, grid->rows * sizeof *grid->span);
-    memcpy(entries + grid->rows, frame->buffers.filtered->at,
-           sizeof frame->buffers.filtered->at);
+    entries += grid->rows;
+    memset(entries, 0, sizeof frame->buffers.filtered->at);     /* water that is not rough */
+    if (frame->buffers.filtered->has_row)
+        memcpy(entries, frame->buffers.filtered->at, sizeof frame->buffers.filtered->at);
     *count = TP_FRAME_ROWS_WORDS(grid->rows);
 }

@@ -257,7 +257,6 @@ bool component_moves(size_t i)
 component_set components_without(const component_set *out)
 {
     component_set all = { .has = { false } };
-
     for (size_t i = 0; i < component_count; i++)
         all.has[i] = !out->has[i];
     return all;

@@ -7,26 +7,9 @@
 #include "bake_world.h"
 #include "features/boat/boat.h"
 #include "frame/frame.h"
+#include "program_links.h"
 
-/* -- measured tables ----------------------------------------------------------------- */
-
-/* Code and constants that a program links if it has one of some pieces, "base" in every
- * program. */
-static const struct {
-    uint32_t code, constants;
-    const char *pieces;
-} links[] = {
-#include "code_sizes.inc"
-};
-
-/* Stack of a chain of calls; a program has the chain if it has a piece of each group.  In
- * every program the stack is that of the first line. */
-static const struct {
-    uint32_t bytes;
-    const char *groups;         /* apart by '&' */
-} chains[] = {
-#include "stack_sizes.inc"
-};
+/* -- the layout of a board ----------------------------------------------------------- */
 
 /* Bytes that a part of a frame takes less on a machine of 32 bits. */
 static const struct {
@@ -42,78 +25,6 @@ static size_t smaller(const char *part)
         if (strcmp(layouts[i].part, part) == 0)
             return layouts[i].bytes;
     return 0;
-}
-
-/* -- the pieces of a program --------------------------------------------------------- */
-
-typedef struct {
-    char name[COMPONENTS_MOST + 4][64];
-    size_t count;
-} symbols;
-
-static void add_symbol(symbols *to, const char *name)
-{
-    snprintf(to->name[to->count++], sizeof *to->name, "%s", name);
-}
-
-static void list_symbols(symbols *to, const component_search_result *found,
-                         const component_terms *terms)
-{
-    static const char *const store[] = {
-#define X(name, word, bits, text) [TP_FORMAT_##name] = "tp_store_" #word,
-        TP_FORMAT_LIST(X)
-#undef X
-    };
-
-    to->count = 0;
-    add_symbol(to, "base");
-    add_symbol(to, store[terms->format]);
-    if (terms->checks)
-        add_symbol(to, "tp_scene_check");
-    if (terms->steers)
-        add_symbol(to, "tp_world_steering");
-    if (!terms->world)
-        add_symbol(to, "tp_world_init");
-    for (size_t i = 0; i < component_count; i++)
-        if (found->in.has[i])
-            component_symbol(i, terms, to->name[to->count++], sizeof *to->name);
-}
-
-/* True if one of the words of a text is a symbol. */
-static bool has_symbol(const symbols *all, const char *words, size_t bytes)
-{
-    for (size_t length; bytes; words += length, bytes -= length) {
-        length = strcspn(words, " &");
-        length = length < bytes ? length : bytes;
-        for (size_t i = 0; i < all->count; i++)
-            if (strncmp(all->name[i], words, length) == 0 && !all->name[i][length])
-                return true;
-        length += length < bytes;
-    }
-    return false;
-}
-
-/* True if each group of a chain has a symbol. */
-static bool has_chain(const symbols *all, const char *groups)
-{
-    for (size_t bytes; *groups; groups += bytes + (groups[bytes] == '&')) {
-        bytes = strcspn(groups, "&");
-        if (!has_symbol(all, groups, bytes))
-            return false;
-    }
-    return true;
-}
-
-static void add_linked(program_memory *m, const symbols *all)
-{
-    for (size_t i = 0; i < sizeof links / sizeof *links; i++)
-        if (has_symbol(all, links[i].pieces, strlen(links[i].pieces))) {
-            m->code += links[i].code;
-            m->constants += links[i].constants;
-        }
-    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++)
-        if (chains[i].bytes > m->stack && has_chain(all, chains[i].groups))
-            m->stack = chains[i].bytes;
 }
 
 /* -- the scene's tables -------------------------------------------------------------- */
@@ -353,7 +264,6 @@ int program_memory_measure(program_memory *m, const bake_program *program, const
     const component_search_request *request = &program->request;
     component_list list;
     component_terms terms = request->terms;
-    symbols all;
     tp_config config = request->config;
 
     *m = (program_memory){ .scene = list_bytes(&program->found.in)
@@ -362,8 +272,7 @@ int program_memory_measure(program_memory *m, const bake_program *program, const
     m->world = bake_world_bytes(program, names);
     add_assets(m, b, names);
     add_tables_and_world(m, program, b, names);
-    list_symbols(&all, &program->found, &terms);
-    add_linked(m, &all);
+    program_links_add(m, &program->found, &terms);
     components_list(&list, &program->found.in, &terms);
     config.program = &list.program;
     config.assets = names;

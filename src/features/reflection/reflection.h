@@ -5,7 +5,8 @@
  * map, five small pictures of the objects around a point on the water.  Further their
  * parameters.
  *
- *     reflection_drawing.c   the modules, and their pictures; cost
+ *     reflection_drawing.c   the module mirror, its picture and its cost
+ *     object_cube_drawing.c  the module object_cube and its pictures
  *     reflection_stage.c     their span stages
  *     fast_reflection_stage.c  the planar reflection by blocks of pixels
  *     reflection_wide.h      the planar reflection's loop for vector units

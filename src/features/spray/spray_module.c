@@ -392,13 +392,7 @@ const tp_spray *tp_world_spray(const tp_world *world)
 }
 
 const tp_module tp_spray_module = {
-    .name = "spray",
-    .id = TP_SPRAY_ID,
-    .enabled = tp_spray_enabled,
-    .bytes = bytes,
-    .init = init,
-    .fits = fits,
-    .step = step,
-    .check = check, .hit = handle_impact,
+    .name = "spray", .id = TP_SPRAY_ID, .enabled = tp_spray_enabled, .check = check,
+    .bytes = bytes, .init = init, .fits = fits, .step = step, .hit = handle_impact,
     .is_valid = is_valid,
 };

@@ -2,10 +2,10 @@
 /*
  * The inside of the water, by four modules, and their parameters:
  *
- *     underwater_drawing.c   the modules underwater (the data of the inside and the view
- *                            from under water), clear_water (the view through the surface
- *                            from above) and refraction (a planar map of the objects under
- *                            the level); the cost of caustics
+ *     underwater_drawing.c   the module underwater: the data of the inside and the view
+ *                            from under water
+ *     refraction_drawing.c   the modules clear_water (the view through the surface from above)
+ *                            and refraction (a planar map of the objects under the level)
  *     underwater_stage.c     the span stages of both views
  *     fast_refraction_stage.c  the fast span stages of the view from above;
  *     fast_refraction.c        their numbers of a frame,
