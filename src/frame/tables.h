@@ -11,6 +11,12 @@
 
 struct tp_frame;
 
+#define TP_TABLE_NUMBERS 32     /* numbers of a table, at most */
+#define X(name, numbers, type) \
+    _Static_assert(numbers <= TP_TABLE_NUMBERS, "numbers of a table");
+TP_TABLE_LIST(X)
+#undef X
+
 /* Parts of a program that make a table's entries; a program whose tables are baked needs
  * none.  `from`: the module's own data, or NULL. */
 typedef struct {

@@ -133,8 +133,9 @@ void tp_frame_choose_visibility(tp_frame *frame)
         frame->visibility = TP_VISIBILITY_TRIANGLES;
     frame->column_bits = fast_column_bits(frame);
     frame->level_keys = NULL;
-    if (frame->column_bits && !tp_frame_has_module(frame, TP_MODULE_MIRROR))
-        frame->level_keys = chosen_renderer(frame)->level_keys;
+    const struct tp_water_renderer *chosen = chosen_renderer(frame);
+    if (chosen && frame->column_bits && !tp_frame_has_module(frame, TP_MODULE_MIRROR))
+        frame->level_keys = chosen->level_keys;
     if (frame->buffers.filtered && is_level(frame->visibility))
         tp_filtered_waves_clear(frame->buffers.filtered);
 }

@@ -64,8 +64,9 @@ static void show(lcd *l, const tp_config *f, const void *pixels)
     lcd_begin(l);
     for (uint32_t y = 0; y < f->height; y += f->tile_height)
         for (uint32_t x = 0; x < f->width; x += f->tile_width) {
-            tp_tile tile = { x, y, x + f->tile_width, y + f->tile_height, pixels,
-                             tp_format_row_bytes(f->format, (int)f->tile_width) };
+            tp_tile tile = { .x0 = x, .y0 = y, .x1 = x + f->tile_width,
+                             .y1 = y + f->tile_height, .pixels = pixels,
+                             .stride = tp_format_row_bytes(f->format, (int)f->tile_width) };
             tile.x1 = tile.x1 < f->width ? tile.x1 : f->width;
             tile.y1 = tile.y1 < f->height ? tile.y1 : f->height;
             if (lcd_tile(l, &tile) != LCD_OK)

@@ -36,9 +36,9 @@ static const tp_mesh meshes[2] = {
     { .n_vertices = 64, .n_faces = 64, .n_materials = MATERIALS },
 };
 
-static const int32_t entry[1];
+static const int32_t numbers[TP_TABLE_NUMBERS];
 static const tp_tables tables = { {
-#define X(name, numbers, type) { entry, entry },
+#define X(name, count, type) { numbers, numbers },
     TP_TABLE_LIST(X)
 #undef X
 } };

@@ -7,12 +7,13 @@
 # baked object, RAM is what the running program says.
 # Prints the largest difference of each, which is 2 % at most; `placed` is RAM without stack.
 #
-#   tests/budgets/program-memory.sh [SCENE]...
+#   tests/budgets/program-memory.sh [PROGRAM [SCENE]...]
 . "$(dirname "$0")/../lib/script.sh"
 . "$(dirname "$0")/../lib/board.sh"
 . "$(dirname "$0")/../lib/flash.sh"
 
-program=${TP_PROGRAM:-build/host/tidepool}
+program=${TP_PROGRAM:-${1:-build/host/tidepool}}
+[ $# = 0 ] || shift
 size="--size 320x240 --format rgb565be --band 4 --stream --texels 64"
 built=build/large
 for tool in arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm; do

@@ -142,7 +142,7 @@ static size_t drawing_bytes(const tp_drawing *drawing,
 }
 
 /* Returns what the tables that a drawing lays out take less.  The frame has a table if the
- * drawing takes less when an asset has it. */
+ * drawing takes less when an asset has it.  A table of words takes the same everywhere. */
 static size_t tables_smaller(const tp_frame *frame, const tp_drawing *drawing)
 {
     static const char *const name[TP_TABLE_COUNT] = {
@@ -150,7 +150,7 @@ static size_t tables_smaller(const tp_frame *frame, const tp_drawing *drawing)
         TP_TABLE_LIST(X)
 #undef X
     };
-    static const int32_t entry[1];
+    static const int32_t numbers[TP_TABLE_NUMBERS];
     tp_module_conditions own = tp_frame_module_conditions(
         frame->program, &frame->buffers, frame->scene, &frame->assets, &frame->config);
     size_t sum = 0;
@@ -160,7 +160,7 @@ static size_t tables_smaller(const tp_frame *frame, const tp_drawing *drawing)
         tp_tables tables = frame->assets.tables ? *frame->assets.tables : (tp_tables){ 0 };
         tp_assets baked = frame->assets;
         tp_module_conditions less = own;
-        tables.table[id].entries = entry;
+        tables.table[id] = (tp_table){ numbers, numbers };
         baked.tables = &tables;
         less.assets = &baked;
         if (drawing_bytes(drawing, &less) < drawing_bytes(drawing, &own))
