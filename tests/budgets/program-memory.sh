@@ -42,7 +42,9 @@ linked()        # SCENE
     arm-none-eabi-nm -S -t d "$built/baked/$1@64.o" | awk '
         NF == 4 {
             rest = $4 ~ /^baked_(scene|assets|program|config|modules|lacks|boat|.*_stages)$/ ||
-                $4 ~ /^baked_boat_(materials|vertices|faces)$/ || $4 !~ /^baked_/
+                $4 ~ /^baked_boat_(materials|vertices|faces)$/ || $4 !~ /^baked_/ ||
+                $4 ~ /^baked_(tables|coastal|world(_.*)?)$/ ||
+                $4 ~ /^baked_(gradient|shine|tones|dome|light|ripples|rows)(_of)?$/
             sum[rest] += $2
         }
         END { print "pictures", sum[0] + 0; print "scene", sum[1] }'
