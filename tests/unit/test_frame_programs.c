@@ -163,6 +163,28 @@ static void triangles_that_a_program_lacks_are_counted_by_tiles(void **state)
     }
 }
 
+/* Nothing places rows that are not baked, of exact columns or of fast ones. */
+static void rows_that_a_program_lacks_are_told(void **state)
+{
+    const tp_assets assets = { .layer[0] = &kit.picture[0] };
+    tp_program own = tp_program_all;
+    uint32_t lacks;
+    tp_scene scene;
+
+    (void)state;
+    tp_scene_level(&scene);
+    own.draw.grid_rows = NULL;
+    scene.quality.shading = TP_SHADING_QUICK;
+    scene.quality.visibility = TP_VISIBILITY_ROWS;
+    for (int rung = TP_RUNG_EXACT; rung <= TP_RUNG_PAIRS; rung++) {
+        scene.quality.rows = rung;
+        const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
+        assert_true(lacks > 0);
+        assert_int_not_equal(crc, drawn_by(&tp_program_all, &scene, &assets, &lacks));
+        assert_int_equal(lacks, 0);
+    }
+}
+
 /* A world is refused by the name of the part. */
 static void foam_whose_source_a_program_lacks_is_refused(void **state)
 {
@@ -354,6 +376,7 @@ int main(void)
         cmocka_unit_test(a_program_of_what_a_scene_needs_draws_it_as_all_does),
         cmocka_unit_test(what_a_program_lacks_is_left_out_and_counted),
         cmocka_unit_test(triangles_that_a_program_lacks_are_counted_by_tiles),
+        cmocka_unit_test(rows_that_a_program_lacks_are_told),
         cmocka_unit_test(foam_whose_source_a_program_lacks_is_refused),
         cmocka_unit_test(a_program_without_a_quick_stage_takes_the_next_better_rung),
         cmocka_unit_test(the_first_module_without_a_stage_is_told),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bake_program.h"
 #include <inttypes.h>
+#include <stdlib.h>
 #include <string.h>
 #include "pixel/pixel.h"
 
@@ -61,9 +62,24 @@ static int check_pieces(const component_search_request *request)
 
 /* -- the list ------------------------------------------------------------------------ */
 
+static bool worlds_begin_same(const tp_scene *scene, const tp_assets *a, const tp_assets *b)
+{
+    const size_t bytes = tp_world_bytes(&tp_program_all, scene, a);
+    tp_world *one = calloc(1, bytes + 1), *other = calloc(1, bytes + 1);
+    const bool same =
+        one && other && tp_world_bytes(&tp_program_all, scene, b) == bytes
+        && tp_world_init(&tp_program_all, one, bytes, scene, a, NULL) == TP_OK
+        && tp_world_init(&tp_program_all, other, bytes, scene, b, NULL) == TP_OK
+        && memcmp(one, other, bytes) == 0;
+
+    free(one);
+    free(other);
+    return same;
+}
+
 /* Returns the assets with baked layers, without the textures from which the layers are
- * made. */
-static tp_assets prepared_alone(const tp_assets *names)
+ * made.  A meter reads the first layer: the world's layers stay. */
+static tp_assets prepared_alone(const tp_scene *scene, const tp_assets *names)
 {
     tp_assets lean = *names;
     for (int i = 0; i < TP_LAYERS; i++)
@@ -73,13 +89,15 @@ static tp_assets prepared_alone(const tp_assets *names)
         lean.distortion = NULL;
     if (lean.baked_slope)
         lean.ripple = NULL;
+    if (!worlds_begin_same(scene, names, &lean))
+        memcpy(lean.layer, names->layer, sizeof lean.layer);
     return lean;
 }
 
 /* Searches with the reduced assets, and uses them if they suffice. */
 static int search_lean(bake_program *p, tp_assets *baked, const tp_tables *tables)
 {
-    tp_assets lean = prepared_alone(baked);
+    tp_assets lean = prepared_alone(&p->scene, baked);
 
     lean.tables = tables;
     p->request.lean = &lean;

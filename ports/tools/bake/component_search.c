@@ -220,6 +220,15 @@ static void tidy(component_set *in)
     }
 }
 
+/* True if worlds of the reduced assets begin the same: a meter reads the first layer. */
+static bool lean_worlds_begin_same(component_search *s)
+{
+    const component_set all = components_without(&s->request->without);
+    const dry_run_program by = make_program(s, &all);
+
+    return dry_run_moves_same(&s->run, &by, 1);
+}
+
 static int find(component_search *s)
 {
     uint32_t differs;
@@ -228,6 +237,7 @@ static int find(component_search *s)
     s->needed = components_needed(s->request);
     s->few[s->n_few++] = 0;
     s->lean = s->request->lean != NULL;
+    s->lean = s->lean && lean_worlds_begin_same(s);
     if (narrow(s, &differs))
         return EXIT_DONE;
     if (!s->lean || s->code)
