@@ -38,9 +38,11 @@ linked()        # SCENE
 {
     flash_link "$scratch/program" "$built/baked/$1@64.o"
     awk -v files="$flash_files" -f tests/budgets/map.awk "$scratch/program.map" |
-        awk '{ print "code", $1; print "constants", $2 }'
+        awk -v init="$(arm-none-eabi-nm -S -t d "$built/baked/$1@64.o" |
+            awk '$4 == "baked_world_init" { print $2 }')" '
+            { print "code", $1 + init; print "constants", $2 }'
     arm-none-eabi-nm -S -t d "$built/baked/$1@64.o" | awk '
-        NF == 4 {
+        NF == 4 && $4 != "baked_world_init" {
             rest = $4 ~ /^baked_(scene|assets|program|config|modules|lacks|boat|.*_stages)$/ ||
                 $4 ~ /^baked_boat_(materials|vertices|faces)$/ || $4 !~ /^baked_/ ||
                 $4 ~ /^baked_(tables|coastal|world(_.*)?)$/ ||

@@ -42,7 +42,7 @@ enum {
     TABLES = 2 * TP_TABLE_COUNT * POINTER,
     WORLD = 3 * POINTER,
     WORLD_BYTES = 4,
-    COPIED = 72, MADE = 36,             /* code of NAME_world_init */
+    COPIED = 88, MADE = 40,             /* code of NAME_world_init */
     PROGRAM = sizeof(tp_program) / sizeof(void *) * POINTER,
     USE = sizeof(tp_use) / sizeof(void *) * POINTER,
     LACK = 3 * POINTER,
@@ -97,8 +97,9 @@ static void add_tables_and_world(program_memory *m, const bake_program *program,
 {
     m->scene += names->tables ? TABLES + bake_tables_bytes(&program->tables) : 0;
     m->scene += b->coastal_words * sizeof *b->coastal;
-    m->scene += WORLD_BYTES
-              + (bake_world_is_copied(program, names) ? WORLD + m->world + COPIED : MADE);
+    const bool copied = bake_world_is_copied(program, names);
+    m->scene += WORLD_BYTES + (copied ? WORLD + m->world : 0);
+    m->code += copied ? COPIED : MADE;
 }
 
 /* -- the frame ----------------------------------------------------------------------- */
