@@ -35,7 +35,7 @@ END {
     }
     printf "pico,%s,%d,320x240,%s,%s,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d,%d\n", scene,
         cores, format, tiles,
-        size[".boot2"] + size[".start"] + size[".cold"] + size[".data"],
+        size[".boot2"] + size[".start"] + size[".text"] + size[".data"],
         size[".rodata"] + size[".exidx"], head["scene"], head["pictures"], head["frame"],
         head["vertices"], head["tables"], head["mirror"], value["scratch"], value["world"],
         size[".data"] + size[".bss"] + value["panel"], stack, instructions / n, cycles / n,
