@@ -60,8 +60,8 @@ $(SPAN_STEPS:%=$(AT)/span_step_%.o): \
           $(AT)/span_step_%.o: src/raster/span.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY)$(COMPILE) $(BARE) -DTP_SPAN_STEP=$* $(foreach f,tri_water cell_water tri_solid \
-	    tri_depth_only gbuffer_clear,-Dtp_$f=tp_$f_$*) $(if $(*:0=),,-Wno-unknown-warning-option \
-	    -Wno-maybe-uninitialized) \
+	    tri_solid_wide tri_depth_only gbuffer_clear,-Dtp_$f=tp_$f_$*) \
+	    $(if $(*:0=),,-Wno-unknown-warning-option -Wno-maybe-uninitialized) \
 	    -c $< -o $@
 $(SPAN_SCENES:%=$(AT)/span-%): $(AT)/span-%: \
           $(AT)/span.o $(SPAN_O) build/baked/$(MACHINE)/%.o \

@@ -13,6 +13,8 @@ int32_t span_step = 16;
     void tp_tri_water_##step(const tp_gbuffer *tile, CORNERS); \
     void tp_tri_solid_##step(const tp_gbuffer *tile, CORNERS, uint32_t mark, \
                              uint32_t face, int opacity); \
+    void tp_tri_solid_wide_##step(const tp_gbuffer *tile, CORNERS, uint32_t mark, \
+                                  uint32_t face, int opacity); \
     void tp_tri_depth_only_##step(const tp_gbuffer *tile, CORNERS); \
     void tp_gbuffer_clear_##step(const tp_gbuffer *tile);
 DECLARE(0)
@@ -38,6 +40,12 @@ void tp_tri_solid(const tp_gbuffer *tile, CORNERS, uint32_t mark, uint32_t face,
                   int opacity)
 {
     tp_tri_solid_16(tile, a, b, c, mark, face, opacity);
+}
+
+void tp_tri_solid_wide(const tp_gbuffer *tile, CORNERS, uint32_t mark, uint32_t face,
+                       int opacity)
+{
+    tp_tri_solid_wide_16(tile, a, b, c, mark, face, opacity);
 }
 
 void tp_tri_depth_only(const tp_gbuffer *tile, CORNERS)

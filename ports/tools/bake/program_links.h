@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a program links: code, constants and the deepest chain of calls, by the tables that
+/* Code, constants and the deepest chain of calls that a program links, by the tables that
  * tests/budgets/code-sizes.sh measures. */
 #ifndef TP_TOOLS_BAKE_PROGRAM_LINKS_H
 #define TP_TOOLS_BAKE_PROGRAM_LINKS_H
