@@ -62,8 +62,10 @@ static tp_screen_vertex  corner[3];
 
 static tp_gbuffer tile_of(int i)
 {
-    return (tp_gbuffer){ 0, 0, WIDTH, HEIGHT, WIDTH, plane[i][0], plane[i][1],
-                         plane[i][2], plane[i][3], false, 0, NULL, 0, 0 };
+    return (tp_gbuffer){
+        .x1 = WIDTH, .y1 = HEIGHT, .stride = WIDTH, .key = plane[i][0], .s = plane[i][1],
+        .t = plane[i][2], .n = plane[i][3], .draw_wide = tp_tri_solid_wide,
+    };
 }
 
 /* Random large triangle, up to four times as deep at one vertex as at another: the
