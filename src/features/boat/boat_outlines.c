@@ -45,7 +45,7 @@ static uint32_t list_index(const tp_mesh *mesh, uint32_t i, bool by_place)
 static uint32_t next_waiting(const tp_boat_outlines *o, uint32_t e)
 {
     const uint32_t f = o->neighbour[e];
-    return f == NO_FACE ? NONE : 3 * f + (o->edges[e / 3] >> 2 * (e % 3) & 3u);
+    return f == NO_FACE ? NONE : 3 * f + ((uint32_t)o->edges[e / 3] >> 2 * (e % 3) & 3);
 }
 
 static void set_next_waiting(const tp_boat_outlines *o, uint32_t e, uint32_t next)
