@@ -12,11 +12,13 @@ static const struct {
     const char *name, *type;
     uint32_t    numbers, size, bytes;   /* bytes of an entry: here; on 32 bits */
 } kinds[TP_TABLE_COUNT] = {
-#define BYTES(type) (#type[3] != 'e' ? 4 : #type[8] == '8' ? 1 : 2)    /* tp_entry8 */
-#define X(name, numbers, type) { #name, #type, numbers, sizeof(type), BYTES(type) },
+#define BYTES_uint32_t   4
+#define BYTES_int32_t    4
+#define BYTES_tp_entry16 2
+#define BYTES_tp_entry8  1
+#define X(name, numbers, type) { #name, #type, numbers, sizeof(type), BYTES_##type },
     TP_TABLE_LIST(X)
 #undef X
-#undef BYTES
 };
 
 /* -- making -------------------------------------------------------------------------- */
