@@ -158,8 +158,7 @@ fi
 # chain of calls in it.
 linked()
 {
-    awk -v files="$flash_files" -f tests/budgets/map.awk "$scratch/program.map" |
-        awk '{ print "code", $1; print "constants", $2 }'
+    flash_linked "$scratch/program.map" "$scratch/baked.o"
     awk -v each=1 -v files="$flash_files" -f tests/budgets/map.awk "$scratch/program.map" |
         awk '{ print $3, $1, $2, "base" }' >"$scratch/linked"
     stacked "$scratch/linked" | sed 's/\(.*\),/stack \1/'

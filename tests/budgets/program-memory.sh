@@ -37,10 +37,7 @@ planned()       # SCENE
 linked()        # SCENE
 {
     flash_link "$scratch/program" "$built/baked/$1@64.o"
-    awk -v files="$flash_files" -f tests/budgets/map.awk "$scratch/program.map" |
-        awk -v init="$(arm-none-eabi-nm -S -t d "$built/baked/$1@64.o" |
-            awk '$4 == "baked_world_init" { print $2 }')" '
-            { print "code", $1 + init; print "constants", $2 }'
+    flash_linked "$scratch/program.map" "$built/baked/$1@64.o"
     arm-none-eabi-nm -S -t d "$built/baked/$1@64.o" | awk '
         NF == 4 && $4 != "baked_world_init" {
             rest = $4 ~ /^baked_(scene|assets|program|config|modules|lacks|boat|.*_stages)$/ ||

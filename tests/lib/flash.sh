@@ -64,6 +64,16 @@ flash_link()            # TO [BAKED.o]
     flash_link_alone tp_frame_init "$to" $(flash_calls) "$@"
 }
 
+# Lines "code BYTES" and "constants BYTES" of the program linked last: of the library, and of
+# the function that makes the baked world.
+flash_linked()          # MAP BAKED.o
+{
+    awk -v files="$flash_files" -f tests/budgets/map.awk "$1" |
+        awk -v init="$(arm-none-eabi-nm -S -t d "$2" |
+            awk '$4 == "baked_world_init" { print $2 }')" '
+            { print "code", $1 + init; print "constants", $2 }'
+}
+
 # Lines USE BYTES of the table in a baked file's head.
 memory_of()             # BAKED.c
 {

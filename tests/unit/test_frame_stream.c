@@ -118,7 +118,7 @@ static void rows_are_drawn_the_same(void **state)
         tp_scene scene = scene_plain();
         scene.camera.x = chance_fx(&chance, -40, 40);
         scene.camera.z = chance_fx(&chance, -40, 40);
-        scene.camera.y = chance_fx(&chance, 2, 12);
+        scene.camera.y = chance_fx(&chance, 0.7, 12);
         scene.camera.heading = chance_fx(&chance, -60, 60) + n % 2 * 180 * TP_FX_ONE;
         scene.camera.pitch = chance_fx(&chance, -20, 0);
         scene.grid.vertices = chance_int(&chance, 64, 4000);
