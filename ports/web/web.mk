@@ -18,8 +18,8 @@ WEB_PAGE := $(patsubst ports/web/%,$(WEB)/%,$(wildcard ports/web/*.html ports/we
 WEB_FAST := $(patsubst %.c,$(WASM)/%.o,$(filter src/shade/% %_stage.c src/raster/% src/pixel/% \
                 src/view/% src/fixed/roots.c $(addprefix src/pool/,flux.c subcell.c) \
                 $(addprefix src/frame/,grid_water.c scanline_water.c tile.c) \
-                %/boat_drawing.c,$(filter-out $(addprefix %/,haze_stage.c tank_stage.c stars_stage.c \
-                drops_stage.c underwater_stage.c) $(addprefix src/view/,fan_law.c \
+                %/boat_drawing.c,$(filter-out $(addprefix %/,haze_stage.c tank_stage.c \
+                stars_stage.c drops_stage.c underwater_stage.c) $(addprefix src/view/,fan_law.c \
                 fan_tank.c fan_filter.c fan_view.c level_plane.c grid.c grid_lines.c grid_vertex.c \
                 grid_vertex_terms.c rough.c),$(CORE))))
 WEB_FLAGS := --target=wasm32 -std=c11 $(WARN) -MMD -MP -fmacro-prefix-map=$(CURDIR)/= \
