@@ -203,7 +203,7 @@ typedef struct {
 static inline void sky_dome(test_sky *sky, tp_shade *shade, uint64_t *state)
 {
     sky->config = (tp_dome_config){
-        .kind = (tp_dome_kind)chance_int(state, 0, 2),
+        .kind = chance_int(state, 0, 2),
         .horizon = (uint32_t)random_next(state) & 0xffffff,
         .zenith = (uint32_t)random_next(state) & 0xffffff,
         .light = (uint32_t)random_next(state) & 0xffffff,
