@@ -344,7 +344,7 @@ static tp_status check_given(const tp_coastal_water *coastal,
     tp_status status = tp_pointer_check_aligned(coastal, 8, "coastal", err);
 
     if (status == TP_OK)
-        status = tp_pointer_check(config, "config", err);
+        status = tp_pointer_check(config, "config of the coast", err);
     if (status == TP_OK)
         status = tp_pointer_check(deep, "sea", err);
     if (status == TP_OK)

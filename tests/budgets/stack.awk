@@ -116,21 +116,22 @@ function covers(a, b,    group, other, n, m, i, k)
     return 1
 }
 # The set with a group more, without groups that others imply, in order.
-function with(set, more,    group, n, i, to)
+function with(set, more,    group, n, i, to, placed)
 {
     if (more == "base" || covers(set, more))
         return set
     n = split(set, group, "&")
     to = ""
-    for (i = 1; i <= n; i++)
-        if (!implies(more, group[i])) {
-            if (more != "" && more < group[i]) {
-                to = to (to == "" ? "" : "&") more
-                more = ""
-            }
-            to = to (to == "" ? "" : "&") group[i]
+    for (i = 1; i <= n; i++) {
+        if (implies(more, group[i]))
+            continue
+        if (!placed && more < group[i]) {
+            to = to (to == "" ? "" : "&") more
+            placed = 1
         }
-    return more == "" ? to : to (to == "" ? "" : "&") more
+        to = to (to == "" ? "" : "&") group[i]
+    }
+    return placed ? to : to (to == "" ? "" : "&") more
 }
 
 # Lists the chains below `name`: deepest[name, set], the sets in sets[name].
