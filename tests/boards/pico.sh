@@ -113,7 +113,8 @@ refuse "the image of a Pico" starts_here "$image.bin"
 two_cores_draw()        # FIRST: two emulated Cortex-M33 draw the host's frames, each a fifth
 {
     timeout 60 qemu-system-arm -M mps2-an521 -global sse-200.CPU0_DSP=on -nographic \
-        -icount shift=4,sleep=off -monitor none -serial null -chardev file,id=said,path="$scratch/said" \
+        -icount shift=4,sleep=off -monitor none -serial null \
+        -chardev file,id=said,path="$scratch/said" \
         -semihosting-config enable=on,target=native,chardev=said \
         -kernel build/pico2/two_cores/$scene.elf </dev/null || return 1
     is "$(sed -n 's/^frame [0-9]* //p' "$scratch/said")" "$(host_crcs "$1" $(($1 + 1)))" &&

@@ -60,7 +60,7 @@ grouped()
 stacked()       # REACHED
 {
     find build/cortex-m4/src -name '*.ci' -exec awk -v pointers=tests/gates/pointers.txt \
-        -f tests/budgets/stack.awk "$1" {} + | LC_ALL=C sort -t, -k2
+        -f tests/lib/callgraph.awk -f tests/budgets/stack.awk "$1" {} + | LC_ALL=C sort -t, -k2
 }
 # Bytes by which the parts of a frame are smaller on a board: PART,BYTES, the most of all
 # layouts, which differ by 8 at most.

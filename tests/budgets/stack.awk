@@ -1,28 +1,14 @@
 # SPDX-License-Identifier: MIT
 # The stack that the pieces of a program list need, from gcc -fcallgraph-info=su.
 #
-#   awk -v pointers=FILE -f tests/budgets/stack.awk REACHED FILE.ci...
+#   awk -v pointers=FILE -f tests/lib/callgraph.awk -f tests/budgets/stack.awk \
+#       REACHED FILE.ci...
 #
 # REACHED has lines FILE(MEMBER) SECTION BYTES PIECE of code-sizes.sh.  A chain of calls
 # belongs to a program that has one piece of each of its functions.  Prints lines
 # BYTES,PIECE PIECE...&PIECE...: the deepest chain of every set of groups of pieces, unless
 # a deeper one needs no more; in the first line no piece.  Calls through pointers go where
 # tests/gates/pointers.txt says.
-BEGIN {
-    while ((getline line < pointers) > 0)
-        if (line !~ /^#/ && split(line, column, " ") == 2) {
-            caller[++rules] = "^(" column[1] ")$"
-            callee[rules] = "^(" column[2] ")$"
-        }
-}
-
-# Plain name: "src/frame/tile.c:shade_row.isra.0" is shade_row.
-function plain(name)
-{
-    sub(/.*:/, "", name)
-    sub(/\..*/, "", name)
-    return name
-}
 
 # A function's name in the linker's map: a static one with its file's, "tile:shade_row".
 function map_name(name,    file)
@@ -35,16 +21,6 @@ function map_name(name,    file)
     sub(/\.c$/, "", file)
     sub(/.*:/, "", name)
     return file ":" name
-}
-
-function field(word,    s)
-{
-    if (!match($0, word ": \"[^\"]*\""))
-        return ""
-    s = substr($0, RSTART, RLENGTH)
-    sub(/^[^"]*"/, "", s)
-    sub(/"$/, "", s)
-    return s
 }
 
 function add_piece(name, piece)
@@ -76,15 +52,6 @@ FNR == NR {
         own[name] = figure[1] + 0
     }
 }
-/^edge:/ {
-    from = field("sourcename")
-    to = field("targetname")
-    if (to == "__indirect_call")
-        points[from]
-    else
-        calls[from, ++n_calls[from]] = to
-}
-
 function follow(from,    i, name)
 {
     for (i = 1; i <= rules; i++)

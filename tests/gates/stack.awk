@@ -2,36 +2,12 @@
 # The deepest stack of the core, from gcc -fcallgraph-info=su: no recursion, no frame of
 # unknown size, and at most LIMIT bytes below any public function.
 #
-#   awk -v limit=BYTES -v pointers=FILE -f tests/gates/stack.awk FILE.ci...
+#   awk -v limit=BYTES -v pointers=FILE -f tests/lib/callgraph.awk \
+#       -f tests/gates/stack.awk FILE.ci...
 #
 # FILE lists the functions that call through a pointer, and their targets; a call through
 # an unlisted pointer is an error. Functions of the compiler's library have no figure;
 # they are leaves with a few words of stack.
-BEGIN {
-    while ((getline line < pointers) > 0)
-        if (line !~ /^#/ && split(line, column, " ") == 2) {
-            caller[++rules] = "^(" column[1] ")$"
-            callee[rules] = "^(" column[2] ")$"
-        }
-}
-
-# Plain name: "src/frame/tile.c:shade_row.isra.0" is shade_row.
-function plain(name)
-{
-    sub(/.*:/, "", name)
-    sub(/\..*/, "", name)
-    return name
-}
-
-function field(key,    s)
-{
-    if (!match($0, key ": \"[^\"]*\""))
-        return ""
-    s = substr($0, RSTART, RLENGTH)
-    sub(/^[^"]*"/, "", s)
-    sub(/"$/, "", s)
-    return s
-}
 
 /^node:/ {
     name = field("title")
@@ -45,15 +21,6 @@ function field(key,    s)
             bad = 1
         }
     }
-}
-
-/^edge:/ {
-    from = field("sourcename")
-    to = field("targetname")
-    if (to == "__indirect_call")
-        points[from]
-    else
-        calls[from, ++n_calls[from]] = to
 }
 
 # Adds the calls of `from` through pointers, by the rules.

@@ -178,7 +178,8 @@ no_state()    { "$1size" -A "$2" | awk -f $gates/state.awk; }
 no_deeper()                     # BYTES FILE.ci...
 {
     bytes=$1; shift
-    awk -v limit="$bytes" -v pointers=$gates/pointers.txt -f $gates/stack.awk "$@"
+    awk -v limit="$bytes" -v pointers=$gates/pointers.txt -f tests/lib/callgraph.awk \
+        -f $gates/stack.awk "$@"
 }
 no_floats()   { objdump -d --no-show-raw-insn "$1" | awk -f $gates/floats.awk; }
 

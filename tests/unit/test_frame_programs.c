@@ -142,33 +142,38 @@ static void what_a_program_lacks_is_left_out_and_counted(void **state)
     assert_int_equal(lacks, 0);
 }
 
+/* A program that lacks a part draws another picture than all modules, and counts why. */
+static void assert_told(const tp_program *by, const tp_scene *scene)
+{
+    const tp_assets assets = { .layer[0] = &kit.picture[0] };
+    uint32_t lacks;
+    const uint32_t crc = drawn_by(by, scene, &assets, &lacks);
+
+    assert_true(lacks > 0);
+    assert_int_not_equal(crc, drawn_by(&tp_program_all, scene, &assets, &lacks));
+    assert_int_equal(lacks, 0);
+}
+
 /* Cells that fast triangles cannot draw are counted in their tile. */
 static void triangles_that_a_program_lacks_are_counted_by_tiles(void **state)
 {
-    const tp_assets assets = { .layer[0] = &kit.picture[0] };
     tp_program own = tp_program_all;
-    uint32_t lacks;
     tp_scene scene;
 
     (void)state;
     tp_scene_level(&scene);
+    own.draw.exact_triangles = NULL;
     scene.quality.visibility = TP_VISIBILITY_TRIANGLES;
     for (int fast = 0; fast < 2; fast++) {
         scene.quality.triangles = fast ? TP_RUNG_FAST : TP_RUNG_EXACT;
-        own.draw.exact_triangles = NULL;
-        const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
-        assert_true(lacks > 0);
-        assert_int_not_equal(crc, drawn_by(&tp_program_all, &scene, &assets, &lacks));
-        assert_int_equal(lacks, 0);
+        assert_told(&own, &scene);
     }
 }
 
 /* Nothing places rows that are not baked, of exact columns or of fast ones. */
 static void rows_that_a_program_lacks_are_told(void **state)
 {
-    const tp_assets assets = { .layer[0] = &kit.picture[0] };
     tp_program own = tp_program_all;
-    uint32_t lacks;
     tp_scene scene;
 
     (void)state;
@@ -178,10 +183,7 @@ static void rows_that_a_program_lacks_are_told(void **state)
     scene.quality.visibility = TP_VISIBILITY_ROWS;
     for (int rung = TP_RUNG_EXACT; rung <= TP_RUNG_PAIRS; rung++) {
         scene.quality.rows = rung;
-        const uint32_t crc = drawn_by(&own, &scene, &assets, &lacks);
-        assert_true(lacks > 0);
-        assert_int_not_equal(crc, drawn_by(&tp_program_all, &scene, &assets, &lacks));
-        assert_int_equal(lacks, 0);
+        assert_told(&own, &scene);
     }
 }
 
