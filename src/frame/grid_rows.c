@@ -98,8 +98,9 @@ void tp_frame_pack_rows(const tp_frame *frame, int32_t numbers[TP_ROWS_NUMBERS],
     entries += HEAD;
     memcpy(entries, grid->fan->row, grid->rows * sizeof *grid->fan->row);
     entries += ROW * grid->rows;
-    memset(entries, 0, sizeof *entries);
-    memcpy(entries, grid->span, grid->rows * sizeof *grid->span);
+    const uint32_t cells = grid->rows - 1;      /* rows of cells: the last span is not set */
+    memcpy(entries, grid->span, cells * sizeof *grid->span);
+    entries[cells] = 0;
     entries += grid->rows;
     memset(entries, 0, sizeof frame->buffers.filtered->at);     /* water that is not rough */
     if (frame->buffers.filtered->has_row)

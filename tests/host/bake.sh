@@ -120,6 +120,15 @@ run bake minimal -o h.c --size 64x48 --no-input --name baked
 same "a list is told of in the head" "$code $(grep -c '^ \* *stage  sky plain' h.c)" "0 1"
 run bake minimal -o i.c --size 64x48 --no-input --name baked
 same "it is the same each time" "$(cmp h.c i.c)" ""
+for byte in 85 170; do          # glibc fills new memory with it
+    export MALLOC_PERTURB_=$byte
+    run bake count-100 -o $byte.c --size 64x48 --no-input --texels 8 --name baked
+done
+unset MALLOC_PERTURB_
+same "whatever memory held before" "$(cmp 85.c 170.c) $(grep -c 'TABLE_rows' 85.c)" " 1"
+run bake deep-sea -o i.c --size 64x48 --no-input --texels 8 --set quality.shading=quick
+same "a layer that an exposure's meter reads stays beside its baked one" \
+    "$(grep -c '\.baked_layer\[0\] = &\|\.layer\[0\] = &' i.c)" 2
 run bake minimal -o i.c --size 64x48 --no-input --without haze
 same "what is left out is told" "$code $(grep -c 'uses it: .* haze$' err)" "0 1"
 run bake minimal -o i.c --size 64x48 --no-input --without foam
