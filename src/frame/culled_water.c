@@ -2,6 +2,7 @@
 /* Culling of waves as a program links it: leaves out, or draws lower, waves too faint to be
  * seen. */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "quality/prices.h"
 
 static void layout_culled_water(tp_frame_buffers *buffers, tp_arena *arena,

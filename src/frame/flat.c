@@ -9,6 +9,7 @@
  * outline.  Not valid if the surface shows more than waves: rings and pools as heights, a
  * coastal floor or wind tables, a tank. */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 
 enum { CELL = TP_LATTICE_CELL, BLOCK = 16 };
 

@@ -5,6 +5,7 @@
  */
 #include "base/base.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 #include "quality/plan.h"

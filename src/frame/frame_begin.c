@@ -5,6 +5,7 @@
  */
 #include "base/base.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "frame/tools.h"
 #include "view/wave_models.h"
 #include "world/module.h"

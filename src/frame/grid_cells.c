@@ -2,6 +2,7 @@
 /* The cells of the water's grid as triangles.  Cells with a corner that cannot be projected
  * are clipped by the frustum.  Scanline water needs this for clipped cells only. */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "view/fan.h"
 
 static tp_screen_vertex make_corner(const tp_grid *grid, const tp_grid_window *window,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The water's grid: its placement, and its triangles; see grid_cells.c. */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "frame/tools.h"
 #include "view/fan.h"
 #include "view/wave_models.h"

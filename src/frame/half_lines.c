@@ -9,6 +9,7 @@
  * place of the samples' normals: no stage reads the normals of another run. */
 #include "base/dsp.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 
 /* The rows that a tile needs: its own, and those beside its mean rows. */
 static tp_line_bounds bounds(int32_t y0, int32_t y1, int32_t height)

@@ -10,6 +10,7 @@
  * columns and of columns before them.
  */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "pixel/packed_blend.h"
 
 /* A tile while it is drawn. */

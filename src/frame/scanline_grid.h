@@ -13,6 +13,7 @@
 #ifndef TP_FRAME_SCANLINE_GRID_H
 #define TP_FRAME_SCANLINE_GRID_H
 #include "frame/frame.h"
+#include "frame/renderers.h"
 
 /* Kinds of a row of cells, see tp_frame_line.is. */
 enum { TP_LINE_CUT = 1, TP_LINE_SIDED = 2, TP_LINE_WIDE = 4 };

@@ -18,6 +18,7 @@
  * B the sum of Q k A, K that of k A, phi the widest angle between a ray and the camera's
  * heading.  Rays must lead forwards, for nearer lines to hide farther ones. */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "view/wave_models.h"
 #include "waves/deep_water.h"
 

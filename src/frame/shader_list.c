@@ -7,6 +7,7 @@
 #include "base/base.h"
 #include "frame/drawing.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "raster/raster.h"
 #include "world/light.h"
 

@@ -3,6 +3,7 @@
  * tile finds the lines that it needs, and evaluates their points again.  The picture is
  * that of stored points, to the bit. */
 #include "frame/walk_water.h"
+#include "frame/renderers.h"
 
 static void layout_streamed(tp_frame_buffers *buffers, tp_arena *arena,
                             const tp_program *program, const tp_scene *scene,

@@ -2,6 +2,7 @@
 /* Draws one tile: the G-buffer, then colours, then pixels. */
 #include "base/base.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "frame/tools.h"
 #include "pixel/pixel.h"
 

@@ -5,6 +5,7 @@
  */
 #include "base/base.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 
 /* -- depths and kinds, read from the keys in the scratch ----------------------------- */
 

@@ -3,6 +3,7 @@
  * water renderer: the renderer of the rung if it can draw this camera and this sea, else
  * triangles.  The choice does not depend on the frame before. */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "frame/tools.h"
 #include "world/pools.h"
 

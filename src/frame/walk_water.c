@@ -11,6 +11,7 @@
  * Valid without roll for swells alone, all below the eye by a quarter of its height; else
  * triangles are drawn. */
 #include "frame/walk_water.h"
+#include "frame/renderers.h"
 
 /* Lines beyond the picture's lower edge take an eighth of its height at the most. */
 static uint32_t count_most_lines(uint32_t height)

@@ -7,6 +7,7 @@
  * Every part is laid out by a counting arena, by exact rungs and by the cheapest ones, with
  * and without a floor, whether the scene has its feature on or not; nothing is drawn. */
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "quality/rung_sets.h"
 
 #if __STDC_HOSTED__

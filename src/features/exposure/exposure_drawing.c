@@ -3,6 +3,7 @@
  * no list has a later stage, the table for storing pixels does it instead. */
 #include "features/exposure/exposure.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 
 static tp_fx drawn_exposure(const tp_frame *frame)
 {

@@ -3,6 +3,7 @@
 #include "features/reflection/reflection.h"
 #include "frame/drawing.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "pixel/pixel.h"
 #include "quality/prices.h"
 #include "tidepool/modules.h"

@@ -4,6 +4,7 @@
 #include "features/underwater/underwater.h"
 #include "frame/drawing.h"
 #include "frame/frame.h"
+#include "frame/renderers.h"
 #include "quality/prices.h"
 #include "shade/optics.h"
 #include "shade/refracted_ray.h"
