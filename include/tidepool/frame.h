@@ -100,10 +100,22 @@ typedef struct {
     const tp_assets  *assets;       /* NULL: the scene's built-in pictures, or none */
     tp_overlay overlay;             /* from tp_overlay_make; all zero: none.  With an overlay
                                      * quality.blending is exact */
+    uint32_t  kept_bytes;           /* of a scratch, for lines of streamed water that stay
+                                     * from tile to tile, see below; 0: none */
     bool      depth;                /* true: tp_frame_sample_row gives the depth of the
                                      * drawn water at every rung; an overlay implies it.
                                      * The picture does not depend on it */
 } tp_config;
+
+/* Kept lines.  A program that streams the water computes its lines again in each tile that
+ * they touch: rows of grid vertices (tp_method_streamed) or lines of walked water.  With
+ * kept_bytes tiles are counted strip by strip, each from top to bottom, and a scratch keeps
+ * lines of its strip for the tiles below; with enough bytes each line is computed once a
+ * strip.  Any number draws the same bits, and so does any order of tiles; the order of their
+ * count is the cheapest.  The scratch must be zero before its first tile of a frame, and
+ * nothing else may write into it between two tiles.  The program needs the part kept_lines
+ * (TP_DRAW_LIST); a program that stores its lines, or lacks the part, keeps none and takes
+ * none of the bytes. */
 
 /* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL,
  * receives the config with the tile size in use.
@@ -142,7 +154,7 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
 /* Return the bytes of one tile's scratch, for tp_frame_draw_tile and for
  * tp_frame_draw_tile_direct.  A program with tp_method_streamed needs two rows of grid
- * vertices more; a program without the renderers rows and projected needs up to 24 bytes a
+ * vertices more, and one with kept_bytes these bytes; a program without the renderers rows and projected needs up to 24 bytes a
  * column less. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);
@@ -161,7 +173,8 @@ tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scen
  * drawn. */
 void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
-/* Draws tile i, counted from left to right and from top to bottom.  tile->pixels points
+/* Draws tile i, counted from left to right and from top to bottom, or strip by strip with
+ * kept_bytes.  tile->pixels points
  * into `scratch`: tp_frame_scratch_bytes(), aligned to 8.  Returns false if no tile i
  * exists, or if the scratch is NULL or not aligned. */
 bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);

@@ -133,6 +133,7 @@ extern const struct tp_water_swells tp_water_baked_swells;
     X(coast_floor)      /* the floor of coastal water, seen through the water */ \
     X(upward_rays)      /* rays in the water that go up: eyes in it, or below its crests */ \
     X(half_lines)       /* water at half the rows, for quality.lines */ \
+    X(kept_lines)       /* streamed lines kept in the scratch, for tp_config.kept_bytes */ \
     X(exact_waves)      /* exact vertices of any water, */ \
     X(exact_corners)    /* the same of cells that are clipped, */ \
     X(level_waves)      /* of water without swells */ \

@@ -130,7 +130,7 @@ static void advance_to_line(walk *w, uint32_t k, tp_line_kind kind)
 static walk begin_walk(const tp_frame *frame, const tp_gbuffer *tile, void *memory,
                        bool keyed)
 {
-    walk w = { .frame = frame, .window = tp_frame_grid_window(frame, memory) };
+    walk w = { .frame = frame, .window = tp_frame_grid_window(frame, tile, memory) };
 
     tp_fast_rows_begin(&w.rows, tile, memory, frame->column_bits, keyed);
     w.rows.oblique = frame->buffers.grid->fan->law.walls;

@@ -41,7 +41,23 @@ bool tp_frame_has_coast(const tp_program *program, const tp_scene *scene)
 
 bool tp_frame_is_grid_streamed(const tp_program *program)
 {
-    return program->method.triangles && program->method.triangles->streams;
+    return program->method.triangles && program->method.triangles->most_kept_bytes;
+}
+
+/* Returns the bytes of lines that a scratch keeps: of walked water if the scene draws it,
+ * else of the grid. */
+static uint32_t kept_bytes(const tp_program *program, const tp_scene *scene,
+                           const tp_config *config)
+{
+    const bool walks =
+        scene->quality.visibility == TP_VISIBILITY_WALK && program->method.walk;
+    const struct tp_water_renderer *by =
+        walks ? program->method.walk : program->method.triangles;
+
+    if (!config->kept_bytes || !program->draw.kept_lines || !by || !by->most_kept_bytes)
+        return 0;
+    const size_t most = by->most_kept_bytes(scene, config);
+    return config->kept_bytes < most ? (config->kept_bytes + 7) & ~7u : (uint32_t)most;
 }
 
 /* Returns the conditions that decide if a module is on, for a frame. */
@@ -237,8 +253,8 @@ static uint32_t count_planes(const tp_program *program, const tp_scene *scene)
     return 4;
 }
 
-/* Scratch size: the planes of the G-buffer, then the pixels unless they are drawn
- * elsewhere.  Before pixels exist, the renderer's columns and the window of a
+/* Scratch size: kept lines, the planes of the G-buffer, then the pixels unless they are
+ * drawn elsewhere.  Before pixels exist, the renderer's columns and the window of a
  * streamed grid use the same place. */
 static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool direct)
 {
@@ -252,7 +268,7 @@ static size_t scratch_size(const tp_config *config, const tp_scene *scene, bool 
                           + window_bytes(c.program, scene);
     const size_t samples = (size_t)c.tile_width
                          * (c.tile_height + count_extra_rows(&c, scene));
-    return planes * samples * sizeof(uint32_t)
+    return kept_bytes(c.program, scene, &c) + planes * samples * sizeof(uint32_t)
            + (pixels > method && !direct ? pixels : method);
 }
 
@@ -286,6 +302,7 @@ static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene
     frame->half_lines = find_half_lines(c, scene);
     frame->packed_rows = find_packed_rows(c, scene);
     frame->extra_rows = count_extra_rows(c, scene);
+    frame->kept_bytes = kept_bytes(c->program, scene, c);
     frame->ram = ram;
     frame->ram.scratch = scratch_size(c, scene, false);
     return frame;

@@ -64,6 +64,8 @@ struct tp_frame {
     tp_assets        assets;
     tp_config        config;            /* tile sizes filled in */
     uint32_t         across, down;      /* number of tiles */
+    uint32_t         picture;           /* number of pictures begun */
+    uint32_t         kept_bytes;        /* of lines in a scratch */
     tp_draw_stats    stats;
     tp_ram_use       ram;
     tp_frame_buffers buffers;
@@ -196,7 +198,8 @@ static inline bool tp_frame_has_grid_rows(const tp_frame *frame)
  * from 0.  A tile reads them through a window in its renderer's memory. */
 void tp_frame_begin_grid(tp_frame *frame);
 void tp_frame_place_grid_line(tp_frame *frame, uint32_t j);
-tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory);
+tp_grid_window tp_frame_grid_window(const tp_frame *frame, const tp_gbuffer *tile,
+                                    void *memory);
 
 /* scanline_grid.c: true if scanline water draws this frame as triangles would. */
 bool tp_frame_can_draw_rows(tp_frame *frame);
@@ -206,6 +209,11 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
 {
     return tp_has_tank(frame->scene) && tp_frame_has_module(frame, TP_MODULE_WALLS);
 }
+
+/* tile.c: returns the lines that the tile's strip keeps, for lines of so many bytes; NULL:
+ * none.  They lie first in the scratch, before the tile's samples. */
+tp_kept_lines *tp_frame_kept_lines(const tp_frame *frame, const tp_gbuffer *tile,
+                                   uint32_t line_bytes);
 
 /* tile.c: sets up the run at (x, y) and returns its shader list; shades a run; lets the
  * application draw on the colours of row y.  alike: the whole row of the tile has one

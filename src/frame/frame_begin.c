@@ -74,6 +74,7 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
 
     frame->stats = (tp_draw_stats){ .dropped = frame->buffers.lacks };
     frame->lacking = 0;
+    frame->picture++;
     frame->world = world;
     frame->drawn = tp_program_interpolate(frame->program, world);
     tp_frame_enable_modules(frame);

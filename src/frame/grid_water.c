@@ -128,16 +128,34 @@ static void place_water(tp_frame *frame)
 
 /* -- drawing ------------------------------------------------------------------------- */
 
-tp_grid_window tp_frame_grid_window(const tp_frame *frame, void *memory)
+tp_grid_window tp_frame_grid_window(const tp_frame *frame, const tp_gbuffer *tile,
+                                    void *memory)
 {
-    return tp_grid_window_init(frame->buffers.grid,
-                               (uint8_t *)memory + frame->buffers.renderer_bytes);
+    const tp_grid *grid = frame->buffers.grid;
+    tp_grid_window window =
+        tp_grid_window_init(grid, (uint8_t *)memory + frame->buffers.renderer_bytes);
+
+    window.keep = frame->program->draw.kept_lines;
+    window.kept = grid->streams && window.keep
+                      ? tp_frame_kept_lines(frame, tile,
+                                            tp_grid_kept_row_bytes(grid->cols))
+                      : NULL;
+    return window;
+}
+
+static size_t most_kept_bytes(const tp_scene *scene, const tp_config *config)
+{
+    const uint32_t vertices = tp_fan_budget(scene);
+
+    (void)config;
+    return tp_kept_lines_bytes(tp_fan_most_rows(vertices),
+                               tp_grid_kept_row_bytes(tp_fan_most_cols(vertices)));
 }
 
 static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
     const struct tp_draw_cells *by = frame->program->draw.cells;
-    tp_grid_window window = tp_frame_grid_window(frame, memory);
+    tp_grid_window window = tp_frame_grid_window(frame, tile, memory);
 
     tile->front_only = frame->cull_water;
     for (uint32_t j = 0; by && j + 1 < frame->buffers.grid->rows; j++)
@@ -187,7 +205,8 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
 const struct tp_draw_fast_triangles tp_draw_fast_triangles = { tp_cell_water_fast };
 
 const struct tp_water_renderer tp_method_streamed = {
-    .layout = layout_water, .place = place_water, .draw = draw_water, .streams = true,
+    .layout = layout_water, .place = place_water, .draw = draw_water,
+    .most_kept_bytes = most_kept_bytes,
 };
 
 const struct tp_water_renderer tp_method_triangles = {

@@ -16,7 +16,9 @@ struct tp_water_renderer {
     bool (*holds)(tp_frame *frame);     /* true if it can draw this frame; NULL: always */
     void (*place)(tp_frame *frame);
     void (*draw)(const tp_frame *frame, tp_gbuffer *tile, void *memory);
-    bool streams;                       /* triangles: grid vertices are not stored */
+    /* For streamed lines: the bytes that keep all of a strip.  NULL: lines are stored, or
+     * there are none. */
+    size_t (*most_kept_bytes)(const tp_scene *scene, const tp_config *config);
     /* Draws into a tile without solids, which need not be cleared, and sets all keys.
      * Returns false if it cannot.  NULL: it never can. */
     bool (*draw_alone)(const tp_frame *frame, const tp_gbuffer *tile, void *memory,

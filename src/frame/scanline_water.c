@@ -266,7 +266,7 @@ static void advance_to_line(walk *w, uint32_t k, int how)
 static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
 {
     const tp_frame_lines *lines = frame->buffers.lines;
-    walk w = { .frame = frame, .window = tp_frame_grid_window(frame, memory) };
+    walk w = { .frame = frame, .window = tp_frame_grid_window(frame, tile, memory) };
     int  how = GAP;
 
     tile->front_only = frame->cull_water;

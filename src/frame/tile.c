@@ -12,11 +12,16 @@ static size_t plane_size(const tp_frame *frame)
     return (size_t)c->tile_width * (c->tile_height + frame->extra_rows);
 }
 
+static uint32_t *sample_planes(const tp_frame *frame, void *scratch)
+{
+    return (uint32_t *)scratch + frame->kept_bytes / sizeof(uint32_t);
+}
+
 static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, tp_tile *tile)
 {
     const tp_line_bounds rows = tp_frame_line_bounds(frame, tile);
     const size_t plane = plane_size(frame);
-    uint32_t *at = scratch;
+    uint32_t *at = sample_planes(frame, scratch);
     tp_gbuffer samples = {
         (int32_t)tile->x0, rows.y0, (int32_t)tile->x1, rows.y1, frame->config.tile_width,
         at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL, 0, 0,
@@ -30,7 +35,19 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, tp_tile *ti
 
 static void *scratch_pixels(const tp_frame *frame, void *scratch)
 {
-    return (uint32_t *)scratch + (frame->outlined ? 8 : 4) * plane_size(frame);
+    return sample_planes(frame, scratch) + (frame->outlined ? 8 : 4) * plane_size(frame);
+}
+
+tp_kept_lines *tp_frame_kept_lines(const tp_frame *frame, const tp_gbuffer *tile,
+                                   uint32_t line_bytes)
+{
+    const tp_kept_lines wanted = { (uintptr_t)frame, frame->picture, (uint32_t)tile->x0, 0,
+                                   line_bytes };
+    void *first = (uint8_t *)tile->key - frame->kept_bytes;
+
+    return frame->kept_bytes ? frame->program->draw.kept_lines->open(
+                                   first, frame->kept_bytes, &wanted, tile->y0 <= 0)
+                             : NULL;
 }
 
 /* Returns the number of samples, up to `limit`, with the first sample's stencil value. */
@@ -213,8 +230,8 @@ static bool set_tile_bounds(const tp_frame *frame, uint32_t i, const void *scrat
         || tp_pointer_check_aligned(scratch, 8, "scratch", NULL) != TP_OK)
         return false;
     tile->dropped = 0;
-    tile->x0 = i % frame->across * c->tile_width;
-    tile->y0 = i / frame->across * c->tile_height;
+    tile->x0 = (c->kept_bytes ? i / frame->down : i % frame->across) * c->tile_width;
+    tile->y0 = (c->kept_bytes ? i % frame->down : i / frame->across) * c->tile_height;
     tile->x1 = tile->x0 + c->tile_width < c->width ? tile->x0 + c->tile_width : c->width;
     tile->y1 = tile->y0 + c->tile_height < c->height ? tile->y0 + c->tile_height
                                                      : c->height;

@@ -14,7 +14,7 @@
 #include "frame/renderers.h"
 
 /* Lines beyond the picture's lower edge take an eighth of its height at the most. */
-static uint32_t count_most_lines(uint32_t height)
+uint32_t tp_walk_most_lines(uint32_t height)
 {
     return height / 8 + height / 64 + 48;
 }
@@ -22,7 +22,7 @@ static uint32_t count_most_lines(uint32_t height)
 struct tp_walk *tp_walk_allocate(tp_arena *arena, const tp_config *config, size_t bytes,
                                  void **points)
 {
-    const uint32_t lines = count_most_lines(config->height);
+    const uint32_t lines = tp_walk_most_lines(config->height);
     const uint32_t cols = (config->width + TP_WALK_CELL - 1) / TP_WALK_CELL + 1;
     struct tp_walk *to = tp_arena_alloc(arena, 1, sizeof *to);
 
@@ -38,7 +38,7 @@ static void layout_walk(tp_frame_buffers *buffers, tp_arena *arena,
 {
     void *points;
     struct tp_walk *to = tp_walk_allocate(arena, config, sizeof(tp_even_point), &points);
-    tp_walk_line *line = tp_arena_alloc(arena, count_most_lines(config->height), sizeof *line);
+    tp_walk_line *line = tp_arena_alloc(arena, tp_walk_most_lines(config->height), sizeof *line);
 
     (void)program;
     (void)scene;

@@ -38,6 +38,9 @@ typedef struct {
 struct tp_walk *tp_walk_allocate(tp_arena *arena, const tp_config *config, size_t bytes,
                                  void **points);
 
+/* Returns the most lines of a picture of so many rows. */
+uint32_t tp_walk_most_lines(uint32_t height);
+
 /* True if the view is one that can be walked. */
 bool tp_walk_can_draw(tp_frame *frame);
 

@@ -157,9 +157,17 @@ void tp_grid_window_load(const tp_grid *grid, tp_grid_window *window, uint32_t j
         return;
     }
     tp_grid_vertex *to = window->memory + side * grid->most_cols;
-    if (window->row[side] != j)
+    bool known = window->row[side] == j;
+    tp_grid_kept_row *kept =
+        window->kept ? window->keep->find(window->kept, j, &known) : NULL;
+    if (kept) {
+        to = kept->vertex;
+        done = &kept->done;
+    } else {
+        window->row[side] = j;
+    }
+    if (!known)
         *done = (tp_grid_span){ (uint16_t)first, (uint16_t)first };
-    window->row[side] = j;
     window->line[side] = to;
     if (first < done->first) {
         evaluate_vertices(grid, window, j, first, done->first, to);

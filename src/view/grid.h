@@ -8,6 +8,7 @@
 #ifndef TP_VIEW_GRID_H
 #define TP_VIEW_GRID_H
 #include "base/base.h"
+#include "view/kept_lines.h"
 #include "view/surface.h"
 
 #define TP_GRID_NEEDS_CLIP INT32_MIN
@@ -36,12 +37,20 @@ typedef struct {
     tp_grid_span  done;
 } tp_grid_sheet;
 
+/* A row of a streamed grid that a scratch keeps. */
+typedef struct {
+    tp_grid_span   done;        /* its evaluated vertices */
+    tp_grid_vertex vertex[];
+} tp_grid_kept_row;
+
 /* Two neighbouring rows of vertices: row j is line[j & 1]. */
 typedef struct {
     const tp_grid_vertex *line[2];
     tp_grid_vertex *memory;     /* for a streamed grid: two rows */
     uint32_t        row[2];     /* rows in memory; their evaluated vertices are in `done` */
     tp_grid_span    done[2];
+    tp_kept_lines  *kept;       /* rows that lie here instead; NULL: none */
+    const struct tp_draw_kept_lines *keep;      /* their code */
     tp_grid_sheet   sheet[3];   /* of coastal water: row j is sheet[j % 3] */
     uint32_t       *dry;        /* the grid's own window marks the land here; NULL: others */
 } tp_grid_window;
@@ -199,6 +208,12 @@ tp_grid_window tp_grid_window_init(const tp_grid *grid, void *memory);
 static inline size_t tp_grid_window_bytes(uint32_t cols, bool coastal)
 {
     return cols * (2 * sizeof(tp_grid_vertex) + (coastal ? 3 * sizeof(tp_vec3) : 0));
+}
+
+/* Returns the bytes of a kept row of so many columns. */
+static inline uint32_t tp_grid_kept_row_bytes(uint32_t cols)
+{
+    return (uint32_t)(sizeof(tp_grid_kept_row) + cols * sizeof(tp_grid_vertex));
 }
 
 /* Makes vertices first to end - 1 of row j available in the window.  They replace row

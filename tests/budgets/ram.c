@@ -35,6 +35,7 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world, uint
     uint32_t crc = 0;
     tp_tile  tile;
 
+
     tp_frame_begin(frame, world);           /* the first begin fills tables */
     count_as_frame();
     tp_frame_begin(frame, world);
@@ -71,7 +72,7 @@ static void say(const char *how, const uint32_t size[2], tp_ram_use ram, size_t 
     count_section();
 }
 
-static void measure(const char *how, const uint32_t size[2])
+static void measure(const char *how, const uint32_t size[2], uint32_t kept_bytes)
 {
     const tp_config config = { .width = WIDTH,
                                .height = HEIGHT,
@@ -79,7 +80,8 @@ static void measure(const char *how, const uint32_t size[2])
                                .tile_height = size[1],
                                .format = TP_FORMAT_RGB565,
                                .program = &program,
-                               .assets = &baked_assets };
+                               .assets = &baked_assets,
+                               .kept_bytes = kept_bytes };
     const size_t world_bytes = baked_world_bytes;
     const size_t scratch_bytes = tp_frame_direct_scratch_bytes(&config, &baked_scene);
     tp_arena  arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
@@ -104,12 +106,17 @@ int main(void)
 {
     program = baked_program;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        measure("kept", sizes[i]);
+        measure("stored", sizes[i], 0);
     if (program.method.triangles)
         program.method.triangles = &tp_method_streamed;
     if (program.method.walk)
         program.method.walk = &tp_method_streamed_walk;
+    program.draw.kept_lines = &tp_draw_kept_lines;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        measure("streamed", sizes[i]);
+        measure("streamed", sizes[i], 0);
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        measure("+2kept", sizes[i], 2048);
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        measure("+4kept", sizes[i], 4096);
     return 0;
 }
