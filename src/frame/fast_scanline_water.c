@@ -63,17 +63,14 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, tp_column_range
     }
 }
 
-static void draw_line(walk *w, uint32_t k, tp_column_range pixels, tp_line_kind kind)
+static void draw_line(walk *w, uint32_t k, tp_grid_span segments, tp_column_range pixels,
+                      tp_line_kind kind)
 {
-    const tp_frame_lines *lines = w->frame->buffers.lines;
-    const tp_line_reach *reach = &lines->reach[(size_t)k * lines->blocks];
     const tp_line_scale *scale = &w->frame->buffers.fast_lines->scale[k];
-    const tp_grid_span points = tp_line_points(w->frame, k);
 
     tp_fast_rows_begin_line(&w->rows, kind == TP_LINE_ON ? scale : NULL);
-    for (uint32_t b = 0; b < lines->blocks; b++)
-        if (tp_line_is_reached(reach[b], pixels))
-            lay_segments(w, k, tp_line_block_segments(points, b), pixels);
+    if (segments.first < segments.end)
+        lay_segments(w, k, segments, pixels);
     tp_fast_rows_end_line(&w->rows, kind);
 }
 
@@ -87,7 +84,7 @@ static void draw_edge(walk *w, const tp_row_point *left, const tp_row_point *rig
 
 /* Draws line k after line k + 1, with the left and right ends of the row of cells between
  * both. */
-static void draw_sided(walk *w, uint32_t k, tp_column_range pixels)
+static void draw_sided(walk *w, uint32_t k, tp_grid_span segments, tp_column_range pixels)
 {
     tp_row_point was[2], now[2];
 
@@ -101,7 +98,7 @@ static void draw_sided(walk *w, uint32_t k, tp_column_range pixels)
         draw_edge(w, &was[1], &now[1], TP_LINE_BEHIND_GAP);
     if (left)
         draw_edge(w, &was[0], &now[0], TP_LINE_ON);
-    draw_line(w, k, pixels, TP_LINE_ON);
+    draw_line(w, k, segments, pixels, TP_LINE_ON);
     if (right)
         draw_edge(w, &now[1], &was[1], TP_LINE_ON);
 }
@@ -118,13 +115,14 @@ static void advance_to_line(walk *w, uint32_t k, tp_line_kind kind)
     set_walked(w, walked);
     const bool sided = kind == TP_LINE_ON && before
                        && (w->frame->buffers.lines->line[k].is & TP_LINE_SIDED);
+    const tp_grid_span segments = tp_line_reached(w->frame, k, walked);
     if (sided)
-        tp_line_load(w->frame, &w->window, k + 1, walked, true);
-    tp_line_load(w->frame, &w->window, k, walked, sided);
+        tp_line_load(w->frame, &w->window, k + 1, segments, true);
+    tp_line_load(w->frame, &w->window, k, segments, sided);
     if (sided)
-        draw_sided(w, k, walked);
+        draw_sided(w, k, segments, walked);
     else
-        draw_line(w, k, walked, kind);
+        draw_line(w, k, segments, walked, kind);
 }
 
 static walk begin_walk(const tp_frame *frame, const tp_gbuffer *tile, void *memory,

@@ -57,11 +57,11 @@ static inline size_t tp_renderer_tile_bytes(const tp_program *program, const tp_
                ? sizeof(tp_row_column) * config->tile_width : 0;
 }
 
-/* Edges of rows, scanline_water.c: line k whose row of cells ends in the picture, and a
- * middle line of row k, for wide cells.  A frame that needs a missing one counts as dropped. */
+/* Edges of rows, scanline_water.c: segments of line k whose row of cells ends in the
+ * picture, and a middle line of row k, for wide cells.  A frame that needs a missing one counts as dropped. */
 struct tp_row_walk;
 struct tp_draw_row_sides {
-    void (*lay)(struct tp_row_walk *walk, uint32_t k);
+    void (*lay)(struct tp_row_walk *walk, uint32_t k, tp_grid_span segments);
 };
 struct tp_draw_row_middles {
     void (*lay)(struct tp_row_walk *walk, uint32_t k);

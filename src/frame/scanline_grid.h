@@ -28,17 +28,20 @@ typedef struct {
                                  * wide cells */
 } tp_frame_line;
 
-/* Pixel columns covered by a block of a line's segments, x1 included. */
+/* Pixel columns covered by a piece of a line, x1 included. */
 typedef struct {
     int16_t x0, x1;
 } tp_line_reach;
 
 /* Lines of the grid from far to near, their points from left to right. */
 typedef struct tp_frame_lines {
-    uint32_t lines, points, blocks;     /* blocks per row of cells */
+    uint32_t lines, points;
+    uint32_t blocks;            /* of a row of cells */
+    uint32_t pieces;            /* of a line, of 1 << piece_bits segments each */
+    uint8_t  piece_bits;
     const tp_grid_box *box;     /* lines x blocks boxes, in the grid's order */
     tp_frame_line  *line;       /* one for each row of cells, in the grid's order */
-    tp_line_reach  *reach;      /* of each block of each line */
+    tp_line_reach  *reach;      /* of each piece of each line */
 } tp_frame_lines;
 
 /* Numbers of each line, and of level water, for fast rows. */
@@ -77,11 +80,10 @@ static inline tp_grid_span tp_line_block_cells(const tp_frame_line *line, uint32
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
 }
 
-/* Returns the segments of block b of the line. */
-static inline tp_grid_span tp_line_block_segments(tp_grid_span points, uint32_t b)
+/* Returns the segments first to end - 1 of a line that are between visible points. */
+static inline tp_grid_span tp_line_segments(tp_grid_span points, uint32_t first,
+                                            uint32_t end)
 {
-    uint32_t first = b * TP_GRID_BLOCK, end = first + TP_GRID_BLOCK;
-
     first = first > points.first ? first : points.first;
     end = end < points.end - 1u ? end : points.end - 1u;
     return (tp_grid_span){ (uint16_t)first, (uint16_t)end };
@@ -104,21 +106,19 @@ typedef struct {
     int32_t x0, x1;
 } tp_column_range;
 
-static inline bool tp_line_is_reached(tp_line_reach reach, tp_column_range columns)
-{
-    return reach.x0 < columns.x1 && reach.x1 >= columns.x0;
-}
-
 /* scanline_water.c: walks a tile's lines from near to far.
  * tp_line_columns: the tile's columns where row k does not lie below the tile.
  * tp_line_next_columns: the columns where line k matters for the tile; *columns are those
  * of row k, then those of row k - 1; *columns are empty before the first line.
- * tp_line_load: makes the window hold the part of line k in these columns, or all of it. */
+ * tp_line_reached: the segments of line k from the first piece in these columns to the last;
+ * none: first >= end.
+ * tp_line_load: makes the window hold the ends of these segments, or all points of line k. */
 tp_column_range tp_line_columns(const tp_frame *frame, const tp_gbuffer *tile, uint32_t k);
 tp_column_range tp_line_next_columns(const tp_frame *frame, const tp_gbuffer *tile,
                                      uint32_t k, tp_column_range *columns);
+tp_grid_span tp_line_reached(const tp_frame *frame, uint32_t k, tp_column_range columns);
 void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
-                  tp_column_range columns, bool whole);
+                  tp_grid_span segments, bool whole);
 
 /* Lay out the lines' memory if rows can draw, and place the lines of a frame. */
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,

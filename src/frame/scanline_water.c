@@ -66,13 +66,15 @@ static bool is_outside_tile(const walk *w, int32_t left, int32_t right)
            || right <= 16 * w->rows.x0 || left >= 16 * w->rows.x1;
 }
 
-/* Draws the segments of line k from left to right. */
-static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
+enum { RUN = TP_GRID_BLOCK };   /* segments laid at a time */
+
+/* Draws segments of line k, RUN at the most, from left to right. */
+static void lay_run(walk *w, uint32_t k, tp_grid_span part, int how)
 {
     const tp_frame *frame = w->frame;
     const struct tp_draw_row_land *land = tp_line_land(frame);
     int32_t  left = tp_line_vertex(&w->window, k, part.first)->u;
-    tp_row_point run[TP_GRID_BLOCK + 1];
+    tp_row_point run[RUN + 1];
     uint32_t count = 0;
 
     for (uint32_t m = part.first; m < part.end; m++) {
@@ -92,43 +94,47 @@ static void lay_segments(walk *w, uint32_t k, tp_grid_span part, int how)
             run[count++] = tp_line_point(frame, &w->window, k, m);
         run[count++] = tp_line_point(frame, &w->window, k, m + 1);
     }
-    TP_ASSERT(count <= TP_GRID_BLOCK + 1);
+    TP_ASSERT(count <= RUN + 1);
     lay(w, run, count, how);
 }
 
-void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
-                  tp_column_range columns, bool whole)
+static bool is_reached(tp_line_reach reach, tp_column_range columns)
+{
+    return reach.x0 < columns.x1 && reach.x1 >= columns.x0;
+}
+
+tp_grid_span tp_line_reached(const tp_frame *frame, uint32_t k, tp_column_range columns)
 {
     const tp_frame_lines *lines = frame->buffers.lines;
-    const tp_line_reach *reach = &lines->reach[(size_t)k * lines->blocks];
-    tp_grid_span points = tp_line_points(frame, k);
-    uint32_t first = UINT32_MAX, end = 0;
+    const tp_line_reach *reach = &lines->reach[(size_t)k * lines->pieces];
+    uint32_t first = 0, end = lines->pieces;
 
-    for (uint32_t b = 0; b < lines->blocks; b++) {
-        tp_grid_span part = tp_line_block_segments(points, b);
-        if (part.first >= part.end || !(whole || tp_line_is_reached(reach[b], columns)))
-            continue;
-        first = part.first < first ? part.first : first;
-        end = part.end + 1u;
-    }
-    if (first < end)
-        tp_grid_window_load(frame->buffers.grid, window, k, first, end);
+    while (first < end && !is_reached(reach[first], columns))
+        first++;
+    while (first < end && !is_reached(reach[end - 1], columns))
+        end--;
+    return tp_line_segments(tp_line_points(frame, k), first << lines->piece_bits,
+                            end << lines->piece_bits);
 }
 
-static tp_column_range walked_columns(const walk *w)
+void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
+                  tp_grid_span segments, bool whole)
 {
-    return (tp_column_range){ w->rows.x0, w->rows.x1 };
+    const tp_grid_span points = tp_line_points(frame, k);
+
+    if (whole)
+        segments = tp_line_segments(points, points.first, points.end);
+    if (segments.first < segments.end)
+        tp_grid_window_load(frame->buffers.grid, window, k, segments.first,
+                            segments.end + 1u);
 }
 
-static void lay_line(walk *w, uint32_t k, int how)
+/* Draws segments of line k from left to right. */
+static void lay_line(walk *w, uint32_t k, tp_grid_span segments, int how)
 {
-    const tp_frame_lines *lines = w->frame->buffers.lines;
-    const tp_line_reach *reach = &w->frame->buffers.lines->reach[(size_t)k * lines->blocks];
-    tp_grid_span points = tp_line_points(w->frame, k);
-
-    for (uint32_t b = 0; b < lines->blocks; b++) {
-        if (tp_line_is_reached(reach[b], walked_columns(w)))
-            lay_segments(w, k, tp_line_block_segments(points, b), how);
+    for (uint32_t first = segments.first; first < segments.end; first += RUN) {
+        const uint32_t end = first + RUN < segments.end ? first + RUN : segments.end;
+        lay_run(w, k, (tp_grid_span){ (uint16_t)first, (uint16_t)end }, how);
     }
 }
 
@@ -204,7 +210,7 @@ static void lay_one(walk *w, const tp_row_point *a, const tp_row_point *b)
 
 /* Draws line k after line k + 1, with the left and right ends of the row of cells between
  * both. */
-static void lay_sided(walk *w, uint32_t k)
+static void lay_sided(walk *w, uint32_t k, tp_grid_span segments)
 {
     tp_row_point was[2], now[2];
 
@@ -220,7 +226,7 @@ static void lay_sided(walk *w, uint32_t k)
         w->frame->program->draw.row_middles->lay(w, k);
     if (left)
         lay_one(w, &was[0], &now[0]);
-    lay_line(w, k, ON);
+    lay_line(w, k, segments, ON);
     if (right)
         lay_one(w, &now[1], &was[1]);
 }
@@ -249,18 +255,19 @@ static void advance_to_line(walk *w, uint32_t k, int how)
         return;
     w->rows.x0 = walked.x0;
     w->rows.x1 = walked.x1;
+    const tp_grid_span segments = tp_line_reached(w->frame, k, walked);
     uint32_t is = how == ON && before ? w->frame->buffers.lines->line[k].is : 0;
     bool whole = is & (TP_LINE_SIDED | TP_LINE_WIDE);
     if (whole)
-        tp_line_load(w->frame, &w->window, k + 1, walked, true);
-    tp_line_load(w->frame, &w->window, k, walked, whole);
+        tp_line_load(w->frame, &w->window, k + 1, segments, true);
+    tp_line_load(w->frame, &w->window, k, segments, whole);
     if (is & TP_LINE_SIDED) {
-        w->frame->program->draw.row_sides->lay(w, k);
+        w->frame->program->draw.row_sides->lay(w, k, segments);
         return;
     }
     if (is & TP_LINE_WIDE)
         w->frame->program->draw.row_middles->lay(w, k);
-    lay_line(w, k, how);
+    lay_line(w, k, segments, how);
 }
 
 static void draw_rows(const tp_frame *frame, tp_gbuffer *tile, void *memory)
