@@ -154,8 +154,8 @@ size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene);
 
 /* Return the bytes of one tile's scratch, for tp_frame_draw_tile and for
  * tp_frame_draw_tile_direct.  A program with tp_method_streamed needs two rows of grid
- * vertices more, and one with kept_bytes these bytes; a program without the renderers rows and projected needs up to 24 bytes a
- * column less. */
+ * vertices more, and one with kept_bytes these bytes; a program without the renderers rows
+ * and projected needs up to 24 bytes a column less. */
 size_t tp_frame_scratch_bytes(const tp_config *config, const tp_scene *scene);
 size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *scene);
 

@@ -169,8 +169,7 @@ typedef struct {
 /* Replaces tp_method_triangles in programs with little RAM.  Grid vertices are not stored
  * but computed line by line in tp_frame_begin, and again for each tile that they touch.
  * The picture is the same to the bit.  Two rows of vertices lie in the block, and two in
- * the scratch of tp_frame_scratch_bytes().  Coastal water over a floor is stored all the
- * same. */
+ * the scratch of tp_frame_scratch_bytes(), which keeps more by tp_config.kept_bytes. */
 extern const struct tp_water_renderer tp_method_streamed;
 
 /* Replaces tp_method_walk in programs with little RAM.  Points of lines are not stored but

@@ -58,7 +58,8 @@ static inline size_t tp_renderer_tile_bytes(const tp_program *program, const tp_
 }
 
 /* Edges of rows, scanline_water.c: segments of line k whose row of cells ends in the
- * picture, and a middle line of row k, for wide cells.  A frame that needs a missing one counts as dropped. */
+ * picture, and a middle line of row k, for wide cells.  A frame that needs a missing one
+ * counts as dropped. */
 struct tp_row_walk;
 struct tp_draw_row_sides {
     void (*lay)(struct tp_row_walk *walk, uint32_t k, tp_grid_span segments);

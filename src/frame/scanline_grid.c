@@ -134,16 +134,21 @@ bool tp_frame_can_draw_rows(tp_frame *frame)
 #define WIDE_TANK     16        /* a tank's pool is not filtered to fit the cells */
 #define WIDE_TILTED   4
 
-/* Segments of a piece, log2.  A strip evaluates few points beside it if pieces are short: of
- * count-64 in streamed tiles of 64x6 pixels 4 segments cost 412 instructions a pixel, 8 cost
- * 440, 16 cost 495. */
-enum { STRIP_BITS = 2, WHOLE_BITS = 4 };
+/* Returns the segments of a piece, log2: about a third of those across a strip, so that a
+ * strip evaluates few points beside it.  Of count-64 in streamed tiles of 64x6 pixels 4
+ * segments cost 412 instructions a pixel, 8 cost 440, 16 cost 495. */
+static uint8_t choose_piece_bits(const tp_config *config, uint32_t vertices)
+{
+    const uint32_t cols = tp_fan_most_cols(vertices) * config->tile_width / config->width;
+
+    return config->tile_width == config->width || cols >= 48 ? 4 : cols >= 24 ? 3 : 2;
+}
 
 void tp_lines_layout(tp_frame_buffers *buffers, tp_arena *arena, const tp_program *program,
                      const tp_scene *scene, const tp_config *config)
 {
     const uint32_t vertices = tp_fan_budget(scene), lines = tp_fan_most_rows(vertices);
-    const uint8_t bits = config->tile_width < config->width ? STRIP_BITS : WHOLE_BITS;
+    const uint8_t bits = choose_piece_bits(config, vertices);
 
     tp_frame_lines *to = tp_arena_alloc(arena, 1, sizeof *to);
     const tp_frame_lines l = {

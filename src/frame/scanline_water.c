@@ -122,6 +122,7 @@ void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
 {
     const tp_grid_span points = tp_line_points(frame, k);
 
+    TP_ASSERT(segments.first >= points.first || segments.first >= segments.end);
     if (whole)
         segments = tp_line_segments(points, points.first, points.end);
     if (segments.first < segments.end)

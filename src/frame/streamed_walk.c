@@ -60,6 +60,7 @@ static void begin_tile(tile_walk *w, const tp_frame *frame, const tp_gbuffer *ti
     w->frame = frame;
     w->first = tile->x0 / TP_WALK_CELL;
     w->end = (tile->x1 + TP_WALK_CELL - 1) / TP_WALK_CELL;
+    TP_ASSERT(w->first * TP_WALK_CELL == tile->x0);
     w->kept = tp_frame_kept_lines(frame, tile, kept_bytes(tile->x1 - tile->x0));
     tp_fast_rows_begin(&w->rows, tile, memory, frame->column_bits, keyed);
 }

@@ -8,6 +8,7 @@ static tp_kept_lines *open_lines(void *memory, size_t bytes, const tp_kept_lines
 {
     tp_kept_lines *kept = memory;
 
+    TP_ASSERT(wanted->picture > 0 && wanted->line_bytes % sizeof(uint32_t) == 0);
     if (bytes < tp_kept_lines_bytes(2, wanted->line_bytes))
         return NULL;
     if (!first_tile && kept->frame == wanted->frame && kept->picture == wanted->picture
@@ -16,6 +17,7 @@ static tp_kept_lines *open_lines(void *memory, size_t bytes, const tp_kept_lines
     *kept = *wanted;
     kept->count = (uint32_t)(bytes - sizeof *kept)
                 / (uint32_t)(sizeof *kept->number + wanted->line_bytes);
+    TP_ASSERT(kept->count >= 2);
     memset(kept->number, 0, kept->count * sizeof *kept->number);
     return kept;
 }
@@ -25,6 +27,7 @@ static void *find_line(tp_kept_lines *kept, uint32_t number, bool *known)
     const uint32_t slot = number % kept->count, mark = number + 1;
     uint8_t *line = (uint8_t *)&kept->number[kept->count];
 
+    TP_ASSERT(mark > 0);
     if (kept->number[slot] > mark)
         return NULL;
     *known = kept->number[slot] == mark;

@@ -14,7 +14,8 @@
 
 program=${TP_PROGRAM:-${1:-build/host/tidepool}}
 [ $# = 0 ] || shift
-size="--size 320x240 --format rgb565be --band 4 --stream --texels 64"
+size="$(sed -n "s/^BAKE *:= \(.*\) --no-input/\1/p" \
+    ports/cortex-m/netduinoplus2/board.mk) --texels 64"
 built=build/large
 for tool in arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm; do
     lacks "${tool%:*}" "${tool#*:}" "memory of programs" && exit 77

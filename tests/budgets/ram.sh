@@ -32,7 +32,7 @@ table()         # SCENE GOAL MOST INI OPTION...
     check "$scene: the board's program builds" build BOARD=cortex-m "$elf"
     check "$scene: it draws in the memory that it asks for" emulate "$elf" \
         "$scratch/$scene.said" "$scratch/$scene.counts"
-    check "$scene: every tiling, streamed or kept, draws as here" drawn "$scene" "$@"
+    check "$scene: every tiling, stored or streamed, draws as here" drawn "$scene" "$@"
     [ "$failed" = 0 ] && awk -v scene="$scene" -v goal="$goal" -v most="$most" \
         -f tests/budgets/ram.awk "$scratch/$scene.counts" "$scratch/$scene.said"
 }

@@ -69,7 +69,8 @@ expect "an empty value" 2 "render: --size '': expected WIDTHx" render minimal --
 expect "an empty setting" 2 "^tidepool: --set '': expected name=value" render minimal --set ""
 expect "no scene" 2 "SCENE is missing" render
 expect "two scenes" 2 "too many names" render three-swells minimal
-expect "band and strip together" 2 "exclude" render minimal --band 8 --strip 16
+expect "kept lines of no bytes" 2 "bytes, 1..16M" render minimal --kept 0
+expect "too many kept bytes" 2 "bytes, 1..16M" plan minimal --kept 17M
 for size in 0x0 15x16 16x4097 640 640x480x3 -1x16 64x 99999999999999999999x16 64X48; do
     expect "size $size" 2 "expected WIDTHxHEIGHT" render minimal --size "$size"
 done

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Streamed grid vertices give the same picture as stored vertices, bit for bit, without any
- * other write: for any scene, tiling and renderer. */
+/* Streamed lines give the same picture as stored lines, bit for bit, without any other write:
+ * for any scene, tiling, renderer and number of kept bytes. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <setjmp.h>
@@ -31,6 +31,14 @@ static bool is_cut(const tp_grid *grid)
     return false;
 }
 
+/* Returns bytes for no line, for some lines or for all. */
+static uint32_t random_kept_bytes(void)
+{
+    const uint32_t kept[] = { 0, random_below(&chance, 500), random_below(&chance, 9000),
+                              1u << 30 };
+    return kept[random_below(&chance, 4)];
+}
+
 /* Compares by the streamed frame's renderer: with a camera that looks along x it has no
  * scanlines. */
 static void compare(const tp_scene *scene, const tp_assets *assets, const tp_world *world,
@@ -45,7 +53,8 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
                               .height = HEIGHT,
                               .tile_width = 16 * random_below(&chance, 5),
                               .tile_height = random_below(&chance, HEIGHT),
-                              .format = TP_FORMAT_XRGB8888 };
+                              .format = TP_FORMAT_XRGB8888,
+                              .kept_bytes = random_kept_bytes() };
     test_frame kept = frame_of(scene, assets, &whole);
     test_frame some = frame_by(&small, scene, assets, &tiled);
 
@@ -56,7 +65,7 @@ static void compare(const tp_scene *scene, const tp_assets *assets, const tp_wor
         tp_frame_set_rungs(kept.frame, &rungs);
         tp_frame_begin(kept.frame, world);
         twice_paint(&kept, false, picture[0]);
-        twice_paint(&some, false, picture[1]);
+        twice_paint(&some, chance_int(&chance, 0, 3) == 0, picture[1]);
         assert_memory_equal(picture[0], picture[1], sizeof picture[0]);
         assert_int_equal(tp_frame_stats(kept.frame).vertices,
                          tp_frame_stats(some.frame).vertices);
@@ -195,6 +204,133 @@ static void what_is_not_stored_takes_no_memory(void **state)
     check_saved_bytes(true);
 }
 
+/* -- kept lines ---------------------------------------------------------------------- */
+
+enum { MOST_ROWS = 200, MOST_COLS = 128 };
+
+static uint8_t  times[MOST_ROWS][MOST_COLS];    /* evaluations of each vertex by the tiles */
+static uint32_t evaluated, repeated;
+
+static void count_row(const tp_grid *grid, uint32_t j, uint32_t first, uint32_t end,
+                      tp_grid_vertex *vertex)
+{
+    tp_draw_exact_waves.evaluate_row(grid, j, first, end, vertex);
+    assert_true(j < MOST_ROWS && end <= MOST_COLS);
+    evaluated += end - first;
+    for (uint32_t i = first; i < end; i++)
+        repeated += times[j][i]++ > 0;
+}
+
+static const struct tp_draw_exact_waves counted = { count_row };
+
+/* Draws strips of a scene; returns how often the tiles evaluate a vertex anew in its strip. */
+static uint32_t count_repeats(const tp_scene *scene, const tp_world *world,
+                              const tp_program *program, uint32_t kept_bytes)
+{
+    const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_width = 32,
+                               .tile_height = 4, .kept_bytes = kept_bytes };
+    test_frame f = frame_by(program, scene, NULL, &config);
+    const uint32_t down = f.frame->down, strips = f.frame->across;
+    tp_tile tile;
+
+    tp_frame_begin(f.frame, world);
+    evaluated = repeated = 0;
+    for (uint32_t x = 0; x < strips; x++) {
+        memset(times, 0, sizeof times);
+        for (uint32_t y = 0; y < down; y++) {
+            tp_frame_draw_tile(f.frame, kept_bytes ? x * down + y : y * strips + x,
+                               f.scratch, &tile);
+            assert_int_equal(tile.x0, x * 32);
+            assert_int_equal(tile.y0, y * 4);
+        }
+    }
+    frame_free(&f);
+    return repeated;
+}
+
+static void enough_bytes_evaluate_each_vertex_once_a_strip(void **state)
+{
+    (void)state;
+    tp_program program = small;
+    program.draw.exact_waves = &counted;
+
+    for (int n = 0; n < 20; n++) {
+        tp_scene scene = scene_plain();
+        scene.camera.y = chance_fx(&chance, 2, 9);
+        scene.camera.pitch = chance_fx(&chance, -20, -5);
+        scene.grid.vertices = 1200;
+        scene.quality.visibility = n % 2 ? TP_VISIBILITY_ROWS : TP_VISIBILITY_TRIANGLES;
+        tp_world *world = scene_world(&scene, NULL);
+        const uint32_t none = count_repeats(&scene, world, &program, 0);
+        const uint32_t all = evaluated - none;
+        const uint32_t some = count_repeats(&scene, world, &program, 2500);
+        assert_true(none > all / 4 && some < none);
+        assert_int_equal(count_repeats(&scene, world, &program, 1 << 20), 0);
+        assert_int_equal(evaluated, all);
+        free(world);
+    }
+}
+
+/* Two frames that draw in turns into one scratch do not take each other's lines. */
+static void kept_lines_belong_to_a_frame(void **state)
+{
+    (void)state;
+    static uint32_t picture[2][WIDTH * HEIGHT];
+    const tp_config config = { .width = WIDTH, .height = HEIGHT, .tile_width = 16,
+                               .tile_height = 8, .kept_bytes = 4000 };
+    tp_scene scene[2] = { scene_plain(), scene_plain() };
+    test_frame f[2];
+    tp_world *world[2];
+    tp_tile   tile;
+
+    scene[1].camera.x = 3 * TP_FX_ONE;
+    for (int k = 0; k < 2; k++) {
+        scene[k].grid.vertices = 600;
+        world[k] = scene_world(&scene[k], NULL);
+        f[k] = frame_by(&small, &scene[k], NULL, &config);
+        frame_draw_picture(&f[k], world[k], picture[k]);
+        tp_frame_begin(f[k].frame, world[k]);
+    }
+    assert_memory_not_equal(picture[0], picture[1], sizeof picture[0]);
+    for (uint32_t i = 0; i < 2 * tp_frame_tiles(f[0].frame); i++) {
+        assert_true(tp_frame_draw_tile(f[i % 2].frame, i / 2, f[0].scratch, &tile));
+        for (uint32_t y = tile.y0; y < tile.y1; y++)
+            assert_memory_equal((const uint8_t *)tile.pixels + (y - tile.y0) * tile.stride,
+                                &picture[i % 2][y * WIDTH + tile.x0],
+                                (tile.x1 - tile.x0) * sizeof(uint32_t));
+    }
+    for (int k = 0; k < 2; k++) {
+        free(world[k]);
+        frame_free(&f[k]);
+    }
+}
+
+/* Returns the scratch of a program, in bytes beyond that without kept bytes. */
+static size_t bytes_for(const tp_program *program, uint32_t kept_bytes)
+{
+    tp_scene scene = scene_plain();
+    tp_config config = { .width = WIDTH, .height = HEIGHT, .program = program };
+
+    scene.grid.vertices = 600;
+    const size_t without = tp_frame_scratch_bytes(&config, &scene);
+    config.kept_bytes = kept_bytes;
+    return tp_frame_scratch_bytes(&config, &scene) - without;
+}
+
+static void only_streamed_lines_take_kept_bytes(void **state)
+{
+    (void)state;
+    tp_program lacking = small;
+    lacking.draw.kept_lines = NULL;
+    const uint32_t cols = tp_fan_most_cols(600), rows = tp_fan_most_rows(600);
+
+    assert_int_equal(bytes_for(&small, 1001), 1008);
+    assert_int_equal(bytes_for(&small, UINT32_MAX),
+                     tp_kept_lines_bytes(rows, tp_grid_kept_row_bytes(cols)));
+    assert_int_equal(bytes_for(&lacking, 1000), 0);
+    assert_int_equal(bytes_for(&tp_program_all, 1000), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -202,6 +338,9 @@ int main(void)
         cmocka_unit_test(rows_are_drawn_the_same),
         cmocka_unit_test(coasts_are_drawn_the_same),
         cmocka_unit_test(what_is_not_stored_takes_no_memory),
+        cmocka_unit_test(enough_bytes_evaluate_each_vertex_once_a_strip),
+        cmocka_unit_test(kept_lines_belong_to_a_frame),
+        cmocka_unit_test(only_streamed_lines_take_kept_bytes),
     };
     chance = 20;
     kit_make(&kit, &chance);

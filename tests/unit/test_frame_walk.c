@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include <math.h>
 #include "frame/frame.h"
+#include "frame/walk_water.h"
 #include "tests/lib/frames.h"
 #include "tests/lib/picture_difference.h"
 #include "tests/lib/scenes.h"
@@ -67,6 +68,19 @@ static void every_tiling_gives_the_same_bits(void **state)
     assert_true(walked > 20);
 }
 
+/* Draws with each number of kept bytes: none, one line's, some lines', all lines'. */
+static void assert_streamed_as(const tp_scene *scene, tp_config config, uint32_t *streamed,
+                               const uint32_t *stored, size_t bytes)
+{
+    static const uint32_t kept[] = { 0, 100, 400, 1500, 1 << 20 };
+
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++) {
+        config.kept_bytes = kept[i];
+        draw(scene, config, streamed);
+        assert_memory_equal(streamed, stored, bytes);
+    }
+}
+
 /* Returns the program whose walked water is streamed. */
 static const tp_program *streamed_program(void)
 {
@@ -91,11 +105,64 @@ static void streamed_points_give_the_same_bits(void **state)
         tp_config config = config_of(sizes[n % 6][0], sizes[n % 6][1], n % 5 == 0);
         walked += draw(&scene, config_of(0, HEIGHT, false), stored) == TP_VISIBILITY_WALK;
         config.program = streamed_program();
-        draw(&scene, config, streamed);
-        assert_memory_equal(streamed, stored, sizeof stored);
+        assert_streamed_as(&scene, config, streamed, stored, sizeof stored);
     }
     printf("  %d of 60 pictures walked\n", walked);
     assert_true(walked > 30);
+}
+
+static uint32_t evaluated;
+
+static tp_surface_point count_point(const tp_surface *surface, const tp_fx place[2],
+                                    tp_fx step[2][2])
+{
+    evaluated++;
+    return tp_water_points.point(surface, place, step);
+}
+
+static const struct tp_water_points counted = { count_point };
+
+/* Returns the points that the tiles of a frame evaluate. */
+static uint32_t count_points(const tp_scene *scene, const tp_world *world,
+                             uint32_t kept_bytes)
+{
+    tp_program program = *streamed_program();
+    tp_config  config = config_of(16, 2, false);
+    tp_tile    tile;
+
+    program.water.points = &counted;
+    config.program = &program;
+    config.kept_bytes = kept_bytes;
+    test_frame f = frame_by(&program, scene, &none, &config);
+    tp_frame_begin(f.frame, world);
+    assert_int_equal(f.frame->visibility, TP_VISIBILITY_WALK);
+    evaluated = 0;
+    for (uint32_t i = 0; tp_frame_draw_tile(f.frame, i, f.scratch, &tile); i++)
+        ;
+    frame_free(&f);
+    return evaluated;
+}
+
+static void enough_bytes_evaluate_each_line_once_a_strip(void **state)
+{
+    (void)state;
+    tp_scene scene = level_scene();
+    scene.camera.y = 6 * TP_FX_ONE;
+    scene.camera.pitch = -12 * TP_FX_ONE;
+    tp_world *world = scene_world(&scene, &none);
+    const uint32_t streamed = count_points(&scene, world, 0);
+    const uint32_t some = count_points(&scene, world, 150);
+    const uint32_t all = count_points(&scene, world, 1 << 20);
+    tp_config whole = config_of(16, HEIGHT, false);
+    whole.program = streamed_program();
+    test_frame f = frame_by(whole.program, &scene, &none, &whole);
+
+    tp_frame_begin(f.frame, world);
+    printf("  %" PRIu32 " points, %" PRIu32 ", %" PRIu32 "\n", streamed, some, all);
+    assert_true(streamed > some && some > all);
+    assert_true(all <= 2 * (WIDTH / 16) * f.frame->buffers.walk->lines);
+    frame_free(&f);
+    free(world);
 }
 
 /* Rows of tall pictures are stored in units of several pixels. */
@@ -206,6 +273,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_tiling_gives_the_same_bits),
         cmocka_unit_test(streamed_points_give_the_same_bits),
+        cmocka_unit_test(enough_bytes_evaluate_each_line_once_a_strip),
         cmocka_unit_test(tall_pictures_may_be_streamed),
         cmocka_unit_test(streamed_points_take_an_eighth),
         cmocka_unit_test(pairs_of_columns_take_half_the_scratch),

@@ -109,8 +109,6 @@ static int read_option(options *o, unsigned command, int argc, char **argv, int 
 static int check(const options *o, unsigned command)
 {
     const bool all = !o->help;
-    if (o->band && o->strip && !(command & FOR_BAKE))
-        return refuse(o, "--band and --strip exclude each other");
     if (o->rungs && o->peers)
         return refuse(o, "--rungs and --peers exclude each other");
     if (o->list + o->collect + o->resume > 1)

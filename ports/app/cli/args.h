@@ -33,6 +33,7 @@ typedef struct {
     bool         strict;            /* refuse a mesh with missing or faulty files */
     bool         quiet;             /* no warnings on loading; set by no option */
     bool         stream;            /* stream grid vertices; `memory` may force it */
+    uint32_t     kept;              /* bytes of a tile's scratch for streamed lines */
     const char  *expect;            /* file with a list of hashes */
     const char  *tape;              /* tape of inputs: render plays, view records */
     const char  *vectors;           /* folder of tables */

@@ -15,6 +15,7 @@
 #define SIDE_HIGH  4096
 #define FRAME_HIGH 999999999u   /* ticks: half a year */
 #define EVERY_HIGH 3600         /* one picture per minute */
+#define KEPT_HIGH  (16u << 20)      /* bytes */
 
 /* Reads a number in low..high of decimal digits.  end == NULL: the digits must fill the
  * text; else *end points after the last digit. */
@@ -111,15 +112,30 @@ static const char *read_threads(options *o, const char *value)
 }
 
 /* The suffixes k and M mean 1024 and 1024 k, as in the data sheets of boards. */
-static const char *read_memory(options *o, const char *value)
+static bool read_bytes(const char *value, uint64_t *bytes)
 {
     const char *end;
     uint32_t count;
     if (!read_count(value, &end, 1, UINT32_MAX, &count))
-        return "bytes from 1, such as 96k or 2M";
+        return false;
     const uint32_t unit = *end == 'k' ? 1u << 10 : *end == 'M' ? 1u << 20 : 1;
-    o->memory = (uint64_t)count * unit;
-    return end[unit > 1] ? "bytes from 1, such as 96k or 2M" : NULL;
+    *bytes = (uint64_t)count * unit;
+    return !end[unit > 1];
+}
+
+static const char *read_memory(options *o, const char *value)
+{
+    return read_bytes(value, &o->memory) ? NULL : "bytes from 1, such as 96k or 2M";
+}
+
+static const char *read_kept(options *o, const char *value)
+{
+    uint64_t bytes;
+    if (!read_bytes(value, &bytes) || bytes > KEPT_HIGH)
+        return "bytes, 1..16M, such as 2k";
+    o->kept = (uint32_t)bytes;
+    o->stream = true;
+    return NULL;
 }
 
 static const char *read_visibility(options *o, const char *value)
@@ -309,6 +325,8 @@ const option_row args_rows[] = {
       "columns of the program's tiles; all by default" },
     { "--stream", NULL, RARE | FOR_BAKE, read_stream,
       "the program stores no vertices: less memory, same bits" },
+    { "--kept", "BYTES", RARE | FOR_BAKE, read_kept,
+      "stream, and keep lines from tile to tile of a strip; 2k" },
     { "--no-input", NULL, FOR_BAKE, read_no_input,
       "the program takes no input: only the scene's camera" },
     { "--with", "NAME,...", FOR_BAKE, read_with,
@@ -324,6 +342,8 @@ const option_row args_rows[] = {
       "refuse to draw if a board needs more RAM; 96k, 2M" },
     { "--stream", NULL, RARE | DRAWERS | FOR_PLAN, read_stream,
       "store no vertices of the water: less memory, same bits" },
+    { "--kept", "BYTES", RARE | DRAWERS | FOR_PLAN, read_kept,
+      "stream, and keep lines from tile to tile of a strip; 2k" },
     { "--texels", "N", RARE | DRAWERS | FOR_BAKE | FOR_PLAN, read_texels,
       "use pictures of at most N texels a side" },
     { "--strict", NULL, DRAWERS | FOR_PLAN, read_strict,

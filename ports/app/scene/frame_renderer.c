@@ -75,7 +75,7 @@ static int allocate_frame(frame_renderer *c)
     c->drawn = malloc(sizeof *c->drawn);
     bool there = c->block && c->drawn;
     for (uint32_t i = 0; i < c->threads; i++) {
-        c->scratch[i] = malloc(c->scratch_bytes / c->threads);
+        c->scratch[i] = calloc(1, c->scratch_bytes / c->threads);
         there = there && c->scratch[i];
     }
     return there ? EXIT_DONE : log_fail_memory(c->frame_bytes + c->scratch_bytes);
@@ -163,7 +163,7 @@ static void place(frame_renderer *c, const tp_tile *tile)
 
 /* Draws tiles from the last to the first.  The last tiles hold the near water, the most
  * expensive; the first hold sky, cheap enough for all threads to end at about the same
- * time. */
+ * time.  Kept lines are for tiles from the first on. */
 static void draw_tiles(void *user, uint32_t thread)
 {
     tile_work *all = user;
@@ -172,7 +172,8 @@ static void draw_tiles(void *user, uint32_t thread)
     void *scratch = c->scratch[thread];
     tp_tile tile;
     for (uint32_t i; (i = atomic_fetch_add(&all->taken, 1)) < tiles;) {
-        tp_frame_draw_tile(c->frame, tiles - 1 - i, scratch, &tile);
+        tp_frame_draw_tile(c->frame, c->config.kept_bytes ? i : tiles - 1 - i, scratch,
+                           &tile);
         place(c, &tile);
         atomic_fetch_add(&all->water_pixels,
                          tp_frame_water_pixels(c->frame, scratch, &tile));

@@ -156,6 +156,7 @@ static int find_board_memory(program_memory *m, const loaded_scene *s,
     baked.strip = c->config.tile_width;
     baked.band = c->config.tile_height;
     baked.stream = c->stream;
+    baked.kept = c->config.kept_bytes;
     return program_memory_find(m, &drawn, &a->names, &baked, NULL);
 }
 
@@ -198,6 +199,7 @@ int loaded_scene_plan_renderer(const loaded_scene *s, const options *o,
         .tile_width = o->strip,
         .tile_height = o->band,
         .format = o->format,
+        .kept_bytes = o->kept,
     };
     frame_renderer_plan(c, &config, o->threads);
     if (o->machine)

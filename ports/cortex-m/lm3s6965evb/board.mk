@@ -9,5 +9,5 @@ BOARD_C := $(addprefix ports/,$(addprefix cortex-m/,lm3s6965evb/main.c lm3s6965e
 # An OLED, drawn in bands; 64 KB of RAM cannot hold all grid vertices.  --with links the
 # modules that command lines may switch on, except features that need a file or memory that
 # was not reserved: commands for them are refused.
-BAKE    := --size 128x64 --format l8 --band 8 --stream \
+BAKE    := --size 128x64 --format l8 --band 8 --kept 2k \
            --with lighting,diffuse,reflectance,glint,paddle

@@ -5,4 +5,4 @@ ARCH    := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -ffreestanding -DTP_RUN=16
 BOARD_C := $(addprefix ports/cortex-m/,main.c frame_crc.c start.c \
                semihost.c memory.c)
 # A black and white OLED; fits 8 KB of RAM.
-BAKE    := --size 128x64 --format i1 --strip 16 --band 2 --stream --no-input
+BAKE    := --size 128x64 --format i1 --strip 16 --band 2 --kept 512 --no-input

@@ -18,7 +18,7 @@ bool bake_has_program(const options *o)
 int bake_check_options(const options *o)
 {
     const char *of = o->with ? "--with" : o->without ? "--without" : o->no_input
-                   ? "--no-input" : o->stream ? "--stream" : o->band ? "--band"
+                   ? "--no-input" : o->kept ? "--kept" : o->stream ? "--stream" : o->band ? "--band"
                    : o->strip ? "--strip" : NULL;
     if (!of || bake_has_program(o))
         return EXIT_DONE;
@@ -157,7 +157,8 @@ int bake_find_program(bake_program *p, const options *o, const tp_scene *scene,
                     .height = o->height,
                     .tile_width = o->strip,
                     .tile_height = o->band ? o->band : 16,
-                    .format = o->format },
+                    .format = o->format,
+                    .kept_bytes = o->kept },
         /* With --with, scenes can switch on more at run time: scenes are checked, and the
          * program has room for waves beyond the scene's own. */
         .terms = { .format = o->format, .streams = o->stream, .few = !o->with,
@@ -236,9 +237,9 @@ void bake_put_program(const bake_program *p, FILE *out, const char *name, bool w
             "\nextern const tp_config %s_config;\nconst tp_config %s_config = {\n"
             "    .width = %" PRIu32 ", .height = %" PRIu32 ", .tile_width = %" PRIu32
             ", .tile_height = %" PRIu32 ",\n    .format = %s, .program = &%s_program, "
-            ".assets = &%s_assets\n};\n",
+            ".assets = &%s_assets,\n    .kept_bytes = %" PRIu32 "\n};\n",
             name, name, c->width, c->height, c->tile_width, c->tile_height,
-            format[c->format], name, name);
+            format[c->format], name, name, c->kept_bytes);
     fprintf(out,
             "\n/* The default program, unless another file defines it. */\n"
             "#ifdef __GNUC__\n__attribute__((weak))\n#endif\n"

@@ -65,12 +65,12 @@ static void add_active_modules(component_set *needed,
     }
 }
 
-/* Parts that the compared pictures do not prove to be needless, and the component that calls
- * each.  Parts of cameras: only some cameras need them.  Parts of formats: they draw the same
- * bits for fewer instructions. */
-enum { OF_CAMERAS = -1 };
+/* Parts that the compared pictures do not prove to be needless, and the components that call
+ * each.  Parts of cameras: only some cameras need them.  Parts of formats and of kept lines:
+ * they draw the same bits for fewer instructions. */
+enum { OF_CAMERAS = -1, OF_KEPT_LINES = -2 };
 
-static const struct { const char *part, *caller; int format; } kept[] = {
+static const struct { const char *part, *callers; int of; } kept[] = {
     { "cells", "triangles", OF_CAMERAS }, { "exact_triangles", "cells", OF_CAMERAS },
     { "exact_waves", "triangles", OF_CAMERAS }, { "exact_corners", "cells", OF_CAMERAS },
     { "row_sides", "rows", OF_CAMERAS },
@@ -78,25 +78,39 @@ static const struct { const char *part, *caller; int format; } kept[] = {
     { "samples", "swells", OF_CAMERAS },
     { "tone_rgb565", "exposure", TP_FORMAT_RGB565 },
     { "tone_rgb565be", "exposure", TP_FORMAT_RGB565BE },
+    { "kept_lines", "triangles walk", OF_KEPT_LINES },
 };
 
 enum { KEPT = sizeof kept / sizeof *kept };
 
-static bool is_named(size_t i, const char *name)
-{
-    return !component_is_stage(i) && !strcmp(components[i].name, name);
-}
-
 static bool is_part(size_t i, const char *name)
 {
-    return components[i].kind < COMPONENT_MODULE && is_named(i, name);
+    return !component_is_stage(i) && components[i].kind < COMPONENT_MODULE
+           && !strcmp(components[i].name, name);
+}
+
+/* True if the component is one of the callers, names divided by blanks. */
+static bool is_caller(size_t i, const char *callers)
+{
+    const size_t length = strlen(components[i].name);
+
+    for (const char *at = callers; !component_is_stage(i) && *at; ) {
+        const size_t word = strcspn(at, " ");
+        if (word == length && !strncmp(at, components[i].name, length))
+            return true;
+        at += word + (at[word] == ' ');
+    }
+    return false;
 }
 
 /* A user, or a scene that may change, meets more cameras than those that are compared. */
 static bool is_kept(size_t k, const component_search_request *request)
 {
-    return kept[k].format == OF_CAMERAS ? request->acts || request->terms.checks
-                                        : kept[k].format == (int)request->config.format;
+    switch (kept[k].of) {
+    case OF_CAMERAS:    return request->acts || request->terms.checks;
+    case OF_KEPT_LINES: return request->terms.streams && request->config.kept_bytes;
+    default:            return kept[k].of == (int)request->config.format;
+    }
 }
 
 static void add_kept_parts(component_set *needed, const component_search_request *request)
@@ -111,7 +125,7 @@ void components_drop_uncalled(component_set *in)
     for (size_t k = 0; k < KEPT; k++) {
         bool called = false;
         for (size_t i = 0; i < component_count; i++)
-            called |= in->has[i] && is_named(i, kept[k].caller);
+            called |= in->has[i] && is_caller(i, kept[k].callers);
         for (size_t i = 0; i < component_count; i++)
             in->has[i] &= called || !is_part(i, kept[k].part);
     }
