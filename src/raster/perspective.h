@@ -41,10 +41,11 @@ static int32_t times_w(int32_t d, uint32_t w_q29)
     return (int32_t)((int64_t)d * w_q29 >> 29);
 }
 
-/* Called, not inlined: large triangles are few. */
-TP_NEVER_INLINE tp_gradient perspective_gradient(const tp_tri *tri, const int32_t at[3])
+/* Returns tp_tri_gradient of a quantity's three values.  Called, not inlined: large triangles
+ * are few. */
+TP_NEVER_INLINE tp_gradient large_gradient(const tp_tri *tri, const int32_t at[3], int bits)
 {
-    return tp_tri_gradient(tri, at[0], at[1] - at[0], at[2] - at[0], TP_PERSPECTIVE_BITS);
+    return tp_tri_gradient(tri, at[0], at[1] - at[0], at[2] - at[0], bits);
 }
 
 static tp_perspective make_perspective(const tp_tri *tri)
@@ -61,9 +62,9 @@ static tp_perspective make_perspective(const tp_tri *tri)
         tw[i] = times_w(p[i]->t - p[0]->t, wi);
     }
     return (tp_perspective){
-        .w = perspective_gradient(tri, w),
-        .sw = perspective_gradient(tri, sw),
-        .tw = perspective_gradient(tri, tw),
+        .w = large_gradient(tri, w, TP_PERSPECTIVE_BITS),
+        .sw = large_gradient(tri, sw, TP_PERSPECTIVE_BITS),
+        .tw = large_gradient(tri, tw, TP_PERSPECTIVE_BITS),
         .s0 = (uint32_t)p[0]->s,
         .t0 = (uint32_t)p[0]->t,
     };

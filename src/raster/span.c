@@ -27,9 +27,9 @@ typedef struct {
 } span;
 
 /* Normals are stepped in the high bits of a word: 16 bits for a slope, 10 for a solid's
- * normal. */
-#define SLOPE_SHIFT  16
-#define NORMAL_SHIFT 22
+ * normal, which is scaled by 64 first. */
+#define NORMAL_SHIFT 16
+#define SOLID_SCALE  64
 
 TP_ALWAYS_INLINE uint32_t pack_normal(const span *sp, int kind)
 {
@@ -113,18 +113,27 @@ TP_ALWAYS_INLINE void fill_span(span *sp, int kind)
 
 /* -- rows ---------------------------------------------------------------------------- */
 
+/* A plane modulo 2^32. */
+typedef struct {
+    uint32_t base, dx, dy;
+} plane;
+
+TP_ALWAYS_INLINE plane cut_gradient(tp_gradient g)
+{
+    return (plane){ (uint32_t)g.base, (uint32_t)g.dx, (uint32_t)g.dy };
+}
+
 typedef struct {
     const tp_tri *tri;
-    tp_gradient zi, s, t, n[3]; /* s, t: for affine triangles */
+    plane zi, s, t, n[3];       /* s, t: for affine triangles */
     tp_perspective persp;
     uint32_t mark, face, pattern_rows;
 } span_painter;
 
 /* Returns the value at (dx, dy) from the triangle's reference pixel, modulo 2^32. */
-TP_ALWAYS_INLINE walker make_walker(const tp_gradient *g, uint32_t dx, uint32_t dy)
+TP_ALWAYS_INLINE walker make_walker(const plane *p, uint32_t dx, uint32_t dy)
 {
-    uint32_t step = (uint32_t)g->dx;
-    return (walker){ (uint32_t)g->base + step * dx + (uint32_t)g->dy * dy, step };
+    return (walker){ p->base + p->dx * dx + p->dy * dy, p->dx };
 }
 
 /* Fills pixels [x, end) of a span at x and moves the span past them. */
@@ -206,14 +215,12 @@ TP_ALWAYS_INLINE void fill_triangle_rows(const span_painter *p, const tp_gbuffer
     int32_t  y = tri->top;
     tp_edge  along = tri->length;
 
-    tp_edge_advance(&along, y);
     for (int half = 0; half < 2; half++) {
         int32_t stop = half == 0 && tri->middle < tri->bottom ? tri->middle
                                                               : tri->bottom;
         if (y >= stop)
             continue;
         tp_edge other = half == 0 && y < tri->middle ? tri->upper : tri->lower;
-        tp_edge_advance(&other, y);
         for (; y < stop; y++) {
             const int32_t left = tri->long_left ? along.pixel : other.pixel;
             const int32_t right = tri->long_left ? other.pixel : along.pixel;
@@ -225,30 +232,36 @@ TP_ALWAYS_INLINE void fill_triangle_rows(const span_painter *p, const tp_gbuffer
 }
 
 /* Depths are below 2^31. */
-TP_ALWAYS_INLINE tp_gradient depth_gradient(const tp_tri *tri)
+TP_ALWAYS_INLINE plane depth_plane(const tp_tri *tri)
 {
     const uint32_t a = tri->a->zi;
     TP_ASSERT((a | tri->b->zi | tri->c->zi) >> 31 == 0);
-    return tp_tri_gradient(tri, a, (int32_t)(tri->b->zi - a), (int32_t)(tri->c->zi - a), 0);
+    return cut_gradient(tp_tri_gradient(tri, a, (int32_t)(tri->b->zi - a),
+                                        (int32_t)(tri->c->zi - a), 0));
 }
 
-/* Returns the plane of a normal's component with `shift` more bits. */
-TP_ALWAYS_INLINE tp_gradient normal_gradient(const tp_tri *tri, int i, int shift)
+/* Returns the plane of a normal's component, times `scale`; `exact` as for
+ * fill_triangle_rows. */
+TP_ALWAYS_INLINE plane normal_plane(const tp_tri *tri, int i, int scale, int exact)
 {
-    const int32_t a = tri->a->n[i];
-    return tp_tri_gradient(tri, a, tri->b->n[i] - a, tri->c->n[i] - a, shift);
+    const int32_t at[3] = { scale * tri->a->n[i], scale * tri->b->n[i],
+                            scale * tri->c->n[i] };
+    if (exact)
+        return cut_gradient(large_gradient(tri, at, NORMAL_SHIFT));
+    return cut_gradient(tp_tri_gradient(tri, at[0], at[1] - at[0], at[2] - at[0],
+                                        NORMAL_SHIFT));
 }
 
-TP_ALWAYS_INLINE void set_depth_and_st_gradients(span_painter *p, bool exact)
+TP_ALWAYS_INLINE void set_depth_and_st_planes(span_painter *p, bool exact)
 {
     const tp_tri *tri = p->tri;
 
-    p->zi = depth_gradient(tri);
+    p->zi = depth_plane(tri);
     if (exact) {
         p->persp = make_perspective(tri);
     } else {
-        p->s = gradient_wide(tri, tri->a->s, tri->b->s, tri->c->s);
-        p->t = gradient_wide(tri, tri->a->t, tri->b->t, tri->c->t);
+        p->s = cut_gradient(gradient_wide(tri, tri->a->s, tri->b->s, tri->c->s));
+        p->t = cut_gradient(gradient_wide(tri, tri->a->t, tri->b->t, tri->c->t));
     }
 }
 
@@ -263,9 +276,9 @@ void tp_tri_water(const tp_gbuffer *tile, const tp_screen_vertex *a,
     const bool exact = TP_SPAN_STEP && tri.perspective;
     p.tri = &tri;
     p.mark = TP_MARK_WATER;
-    set_depth_and_st_gradients(&p, exact);
-    p.n[0] = normal_gradient(&tri, 0, SLOPE_SHIFT);
-    p.n[1] = normal_gradient(&tri, 1, SLOPE_SHIFT);
+    set_depth_and_st_planes(&p, exact);
+    p.n[0] = normal_plane(&tri, 0, 1, 0);
+    p.n[1] = normal_plane(&tri, 1, 1, 0);
     if (exact)
         fill_triangle_rows(&p, tile, WATER, 1);
     else
@@ -301,10 +314,10 @@ TP_ALWAYS_INLINE void draw_solid(const tp_tri *tri, const tp_gbuffer *tile, uint
     p.mark = mark;
     p.face = face;
     p.pattern_rows = opacity < 16 ? dither_pattern(opacity) : 0xffff;
-    set_depth_and_st_gradients(&p, exact);
-    p.n[0] = normal_gradient(tri, 0, NORMAL_SHIFT);
-    p.n[1] = normal_gradient(tri, 1, NORMAL_SHIFT);
-    p.n[2] = normal_gradient(tri, 2, NORMAL_SHIFT);
+    set_depth_and_st_planes(&p, exact);
+    p.n[0] = normal_plane(tri, 0, SOLID_SCALE, exact);
+    p.n[1] = normal_plane(tri, 1, SOLID_SCALE, exact);
+    p.n[2] = normal_plane(tri, 2, SOLID_SCALE, exact);
     fill_triangle_rows(&p, tile, SOLID, exact);
 }
 
@@ -355,7 +368,7 @@ void tp_tri_depth_only(const tp_gbuffer *tile, const tp_screen_vertex *a,
 
     if (!tp_tri_begin(&tri, tile, a, b, c))
         return;
-    span_painter p = { .tri = &tri, .zi = depth_gradient(&tri) };
+    span_painter p = { .tri = &tri, .zi = depth_plane(&tri) };
     fill_triangle_rows(&p, tile, LID, 0);
 }
 

@@ -41,17 +41,21 @@ static const uint32_t tp_span_over[17] = {
 
 /* -- a triangle ---------------------------------------------------------------------- */
 
+/* Least tp_tri.shift: a plane has up to this many fraction bits more than its quantity. */
+#define TP_LEAST_SHIFT 16
+
 /* A triangle with vertices sorted by row, and the constants shared by all planes. */
 typedef struct {
     const tp_screen_vertex *a, *b, *c; /* vertices, v ascending */
     int32_t  top, bottom;       /* rows, clipped to the tile */
     int32_t  middle;            /* first row of the lower short edge */
     bool     long_left;
-    tp_edge  length, upper, lower;
+    tp_edge  length;            /* the long edge, on row `top` */
+    tp_edge  upper, lower;      /* short edges, on their first rows in the tile, if any */
     int32_t  x_ref, y_ref;      /* pixel of vertex a, the origin of all planes */
     int32_t  off_u, off_v;      /* from the vertex to that pixel's centre, 28.4 */
     int32_t  cx1, cx2, cy1, cy2;/* gradient: (d1 cx1 + d2 cx2) / 2^shift, likewise cy */
-    int      shift;
+    int      shift;             /* TP_LEAST_SHIFT..62 */
     bool     perspective;       /* true if affine s, t err by more than 1/4 px */
 } tp_tri;
 
@@ -65,23 +69,17 @@ typedef struct {
 TP_ALWAYS_INLINE tp_gradient tp_tri_gradient_scale(const tp_tri *tri, int64_t at_a,
                                                    int64_t dx, int64_t dy, int bits)
 {
-    int         shift = tri->shift - bits;
-    tp_gradient g = { 0, dx, dy };
+    const int   shift = tri->shift - bits;
+    TP_ASSERT(bits <= TP_LEAST_SHIFT && shift >= 0);
+    tp_gradient g = { 0, dx >> shift, dy >> shift };
 
-    if (shift >= 0) {
-        g.dx >>= shift;
-        g.dy >>= shift;
-    } else {                    /* slivers below 1/32 of a square px */
-        g.dx = (int64_t)((uint64_t)g.dx << -shift);
-        g.dy = (int64_t)((uint64_t)g.dy << -shift);
-    }
     g.base = at_a * ((int64_t)1 << bits)
            + ((g.dx * tri->off_u + g.dy * tri->off_v) >> 4);
     return g;
 }
 
 /* Returns the plane of a quantity with this value at a, and d1 and d2 more at b and c.
- * Each product has 32 + 29 bits; `bits` <= 22. */
+ * Each product has 32 + 29 bits; `bits` <= TP_LEAST_SHIFT. */
 TP_ALWAYS_INLINE tp_gradient tp_tri_gradient(const tp_tri *tri, int64_t at_a, int32_t d1,
                                              int32_t d2, int bits)
 {

@@ -28,12 +28,14 @@ TP_ALWAYS_INLINE int32_t max_int32(int32_t a, int32_t b)
 
 /* dx of a quantity is 16 (d1 dv2 - d2 dv1) / area per px; dy likewise with du.  The four
  * factors dv r / 2^k keep 28 or 29 bits in the largest factor.  With
- * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k).
+ * 1/area = r 2^(lz - 95), a gradient is their sum of products / 2^(91 - lz - k).  The
+ * exponent is at least 16: with the largest difference in 2^m..2^(m+1), k is m + 4, and lz
+ * is at most 63 and, since a sliver's area is smaller, 79 - 2m.
  *
  * Each factor has an error of 2^-27 of the largest factor, so at the other end of the
  * triangle a value has an error of up to 5 x 2^-27 of its range times length / thickness.
  * Slivers thinner than 1/65536 of their length take all values from their upper vertex:
- * an extrapolated depth could put a sliver in front of everything. */
+ * an extrapolated depth could put a sliver in front of everything.  Their factors are 0. */
 TP_ALWAYS_INLINE void set_gradient_factors(tp_tri *tri, int64_t area)
 {
     const tp_screen_vertex *a = tri->a, *b = tri->b, *c = tri->c;
@@ -54,7 +56,8 @@ TP_ALWAYS_INLINE void set_gradient_factors(tp_tri *tri, int64_t area)
     tri->cx2 = (int32_t)(-dv1 * r >> k);
     tri->cy1 = (int32_t)(-du2 * r >> k);
     tri->cy2 = (int32_t)(du1 * r >> k);
-    tri->shift = 91 - lz - k;
+    TP_ASSERT(r == 0 || 91 - lz - k >= TP_LEAST_SHIFT);
+    tri->shift = max_int32(91 - lz - k, TP_LEAST_SHIFT);
 }
 
 /* True if s and t need perspective.  Affine s and t deviate by about a quarter of (depth
@@ -69,6 +72,20 @@ TP_ALWAYS_INLINE bool needs_perspective(const tp_tri *tri, int32_t width)
     low = low < zc ? low : zc;
     high = high > zc ? high : zc;
     return (uint64_t)(high - low) * (extent + 1) > low;
+}
+
+/* Moves an edge to row y, if that is further down. */
+TP_NEVER_INLINE void advance_edge(tp_edge *e, int32_t y)
+{
+    tp_edge_advance(e, y);
+}
+
+TP_ALWAYS_INLINE void set_edge(tp_edge *e, const tp_screen_vertex *p,
+                               const tp_screen_vertex *q, int32_t top)
+{
+    *e = tp_edge_begin(p->u, p->v, q->u, q->v);
+    if (top > e->row)
+        advance_edge(e, top);
 }
 
 /* Sets up a triangle. False: no pixel centre of the tile can be inside. */
@@ -95,11 +112,11 @@ TP_NEVER_INLINE bool tp_tri_begin(tp_tri *tri, const tp_gbuffer *tile,
     set_gradient_factors(tri, area);
     tri->long_left = area > 0;          /* b is right of the long edge */
     tri->middle = tp_first_centre(b->v);
-    tri->length = tp_edge_begin(a->u, a->v, c->u, c->v);
-    if (b->v > a->v)
-        tri->upper = tp_edge_begin(a->u, a->v, b->u, b->v);
-    if (c->v > b->v)
-        tri->lower = tp_edge_begin(b->u, b->v, c->u, c->v);
+    set_edge(&tri->length, a, c, tri->top);
+    if (tri->top < tri->middle)
+        set_edge(&tri->upper, a, b, tri->top);
+    if (tri->middle < tri->bottom)
+        set_edge(&tri->lower, b, c, tri->top);
     tri->x_ref = a->u >> 4;
     tri->y_ref = a->v >> 4;
     tri->off_u = 16 * tri->x_ref + 8 - a->u;

@@ -340,6 +340,32 @@ static void solids_carry_normal_texture_and_face(void **state)
 
 /* Any corners within the guard band: defined behaviour, as UBSan sees it, and no access
  * outside the tile, as ASan sees it. */
+/* Triangles as thin as they can be without being slivers have the smallest exponents. */
+static void planes_have_room_for_their_bits(void **state)
+{
+    (void)state;
+    test_tile tile = tile_of(0, 0, WIDTH, HEIGHT, 0);
+    int least = 62, drawn = 0;
+
+    for (int32_t side = 8; side < 4096; side++)
+        for (int32_t area = 1; area <= 5; area++) {
+            const tp_screen_vertex c[3] = {
+                { .u = 8, .v = 8, .zi = 1 },
+                { .u = 8 + area, .v = 8 + area, .zi = 1 },
+                { .u = 8 + side + 1, .v = 8 + side, .zi = 1 },
+            };
+            tp_tri tri;
+            if (!tp_tri_begin(&tri, &tile.samples, &c[0], &c[1], &c[2])
+                || (tri.cx1 == 0 && tri.cx2 == 0))
+                continue;
+            least = tri.shift < least ? tri.shift : least;
+            drawn++;
+        }
+    assert_in_range(drawn, 1000, 30000);
+    assert_in_range(least, TP_LEAST_SHIFT, TP_LEAST_SHIFT + 1);
+    tile_free(&tile);
+}
+
 static void any_corners_are_safe(void **state)
 {
     (void)state;
@@ -378,6 +404,7 @@ int main(void)
         cmocka_unit_test(places_follow_the_perspective),
         cmocka_unit_test(slopes_are_linear_between_corners),
         cmocka_unit_test(solids_carry_normal_texture_and_face),
+        cmocka_unit_test(planes_have_room_for_their_bits),
         cmocka_unit_test(any_corners_are_safe),
     };
     return cmocka_run_group_tests_name("raster/attributes", tests, NULL, NULL);
