@@ -12,6 +12,7 @@
  *     boat_projection.c  the mesh's vertices and cut faces in a view
  *     boat_light.c     the light of vertices, for the fast rung of solids
  *     boat_outlines.c  the module outlines
+ *     boat_neighbours.c  the faces beside each face, for outlines
  *     boat_stage.c     the lighting of the boat's materials
  *     boat_rungs.c     the cost of the boat's faces
  */
@@ -175,9 +176,16 @@ typedef struct tp_boat_outlines {
                  const tp_boat_faces *faces, const tp_boat_vertex *vertex,
                  const tp_grid_box *box, tp_gbuffer *tile, uint32_t mark);
     const tp_mesh *mesh;
-    uint16_t *neighbour;        /* of each face's three edges, or none */
+    uint16_t *neighbour;        /* of each face's three edges, or TP_BOAT_NO_FACE */
     uint8_t  *edges;            /* of each face: bit k: edge k is an outline */
 } tp_boat_outlines;
+
+#define TP_BOAT_NO_FACE UINT16_MAX
+_Static_assert(TP_OUTLINE_FACES <= TP_BOAT_NO_FACE, "faces are numbered by 16 bits");
+
+/* Finds the neighbours of all faces, and the faces that are steps.  `list` is scratch, a
+ * word for each vertex of the mesh. */
+void tp_boat_neighbours_find(const tp_boat_outlines *o, uint32_t *list);
 
 /* Returns a word for each vertex of the module boat's mesh, free until a view is placed. */
 uint32_t *tp_boat_words(void *boat);
