@@ -30,29 +30,20 @@ tp_surface_point tp_swell_sum_point(const tp_swell_sum *sum, tp_fx x0, tp_fx z0,
     return tp_swell_sum_point_inline(sum, x0, z0, fade, 1);
 }
 
-TP_ALWAYS_INLINE tp_surface_point displace_point_with_flags(const tp_deep_water *deep,
-                                                            const tp_turn *phases,
-                                                            tp_fx x0, tp_fx z0, int crossed)
-{
-    const bool sharpened = deep->sharpened;
-    tp_swell_sum sum = { 0 };
-
-    for (uint32_t i = 0; i < deep->count; i++) {
-        const tp_swell *w = &deep->swell[i];
-        tp_turn th = phases[i] + tp_swell_turns(w->turns_x, x0)
-                               + tp_swell_turns(w->turns_z, z0);
-        tp_swell_sum_add_swell(&sum, w, th, sharpened, crossed);
-    }
-    return tp_swell_sum_point_inline(&sum, x0, z0, TP_FX_ONE, crossed);
-}
-
 tp_surface_point tp_deep_water_displace_point(const tp_deep_water *deep,
                                               const tp_turn phases[TP_WAVES], tp_fx x0,
                                               tp_fx z0)
 {
     TP_ASSERT(deep->count <= TP_WAVES);
-    return deep->crossed ? displace_point_with_flags(deep, phases, x0, z0, 1)
-                         : displace_point_with_flags(deep, phases, x0, z0, 0);
+    const bool sharpened = deep->sharpened, crossed = deep->crossed;
+    tp_swell_sum sum = { 0 };
+
+    for (const tp_swell *w = deep->swell, *end = w + deep->count; w < end; w++) {
+        const tp_turn th = *phases++ + tp_swell_turns(w->turns_x, x0)
+                                     + tp_swell_turns(w->turns_z, z0);
+        tp_swell_sum_add_swell(&sum, w, th, sharpened, crossed);
+    }
+    return tp_swell_sum_point_inline(&sum, x0, z0, TP_FX_ONE, crossed);
 }
 
 /* -- compression --------------------------------------------------------------------- */
