@@ -94,34 +94,48 @@ static bool is_in_picture(const tp_frame *frame, const tp_speck_place *s)
     return s->u > -MOST && s->u < w + MOST && s->v > -MOST && s->v < h + MOST;
 }
 
+/* A position in the picture, and its depth in m. */
+typedef struct {
+    int32_t  u, v;
+    uint32_t zi;
+    tp_fx    depth;
+} screen_place;
+
+/* Returns false, without a place, if the position cannot be projected. */
+TP_NEVER_INLINE bool project_position(const tp_projection *projection, tp_vec3 position,
+                                      screen_place *to)
+{
+    tp_view_vertex view;
+
+    tp_projection_view_vertex(projection, position, &view);
+    if (!tp_projection_can_project(projection, &view))
+        return false;
+    tp_projection_project(projection, &view, &to->u, &to->v, &to->zi);
+    to->depth = view.depth;
+    return true;
+}
+
 /* Projects a speck.  Returns false if it is not in the picture. */
 TP_NEVER_INLINE bool project_speck(const tp_frame *frame, const tp_speck *speck,
                                    bool through_water, tp_speck_place *to)
 {
-    const tp_projection *projection = &frame->projection;
-    tp_view_vertex view, later;
+    screen_place now, later;
     tp_vec3 end;
-    int32_t u, v;
-    uint32_t zi;
+    const tp_vec3 at = interpolate_speck(speck, frame->world->lag, through_water, &end);
 
-    tp_projection_view_vertex(projection,
-                              interpolate_speck(speck, frame->world->lag, through_water,
-                                                &end), &view);
-    if (!tp_projection_can_project(projection, &view) || view.depth <= FADED)
+    if (!project_position(&frame->projection, at, &now) || now.depth <= FADED)
         return false;
-    tp_projection_project(projection, &view, &to->u, &to->v, &zi);
+    to->u = now.u;
+    to->v = now.v;
     if (!is_in_picture(frame, to))
         return false;
-    to->key = (zi << 1 & ~(uint32_t)0xff) | through_water;
-    u = to->u;
-    v = to->v;
-    tp_projection_view_vertex(projection, end, &later);
-    if (tp_projection_can_project(projection, &later))
-        tp_projection_project(projection, &later, &u, &v, &zi);
-    to->du = clamp_way((int64_t)u - to->u);
-    to->dv = clamp_way((int64_t)v - to->v);
-    to->radius = speck_radius(frame, speck, view.depth);
-    to->opacity = depth_opacity(view.depth);
+    if (!project_position(&frame->projection, end, &later))
+        later = now;
+    to->key = (now.zi << 1 & ~(uint32_t)0xff) | through_water;
+    to->du = clamp_way((int64_t)later.u - now.u);
+    to->dv = clamp_way((int64_t)later.v - now.v);
+    to->radius = speck_radius(frame, speck, now.depth);
+    to->opacity = depth_opacity(now.depth);
     return true;
 }
 
