@@ -133,6 +133,15 @@ refused()
     [ $? = 2 ] && grep -q "stm32f405, .* or microbit" "$scratch/said"
 }
 check "an unknown board is refused, with those that are known" refused
+hints()         # what saves RAM, and what free RAM is good for
+{
+    "$program" plan three-swells --board stm32f405 |
+        grep -q "^too much RAM: --stream, --band and --strip save some" &&
+        "$program" plan count-64 --board stm32f405 --strip 64 --kept 4k >"$scratch/said" &&
+        grep -q "; tiles of 64x16$" "$scratch/said" &&
+        grep -q "^[0-9]* KB stay free: with --kept" "$scratch/said"
+}
+check "a plan names what saves RAM, and what free RAM is good for" hints
 no_step()
 {
     "$program" render minimal --step 39 --size $size --out "$scratch/no.png" \

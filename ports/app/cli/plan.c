@@ -209,7 +209,7 @@ int plan_command(int argc, char **argv)
     options o;
     int code = args_read(&o, FOR_PLAN, argc, argv);
 
-    if (!o.band && !o.strip)
+    if (!o.band)
         o.band = BAND;
     if ((o.board || o.ladder) && !o.sized) {    /* a board's usual panel */
         o.width = 320;

@@ -122,10 +122,12 @@ static void print_memory(const plan_board *b, const options *o, const ladder_ste
     printf("RAM %zu of %u KB, flash %zu of %u KB%s; tiles of %ux%u\n", step->ram / 1024,
            (unsigned)b->ram / 1024, step->flash / 1024, (unsigned)b->flash / 1024,
            other ? " with code of a Cortex-M4" : "",
-           (unsigned)o->strip ? (unsigned)o->strip : (unsigned)o->width,
-           (unsigned)o->band);
+           (unsigned)(o->strip ? o->strip : o->width), (unsigned)o->band);
     if (step->ram > b->ram)
-        puts("too much RAM: --band and --strip save some");
+        printf("too much RAM: %s--band and --strip save some\n", o->stream ? "" : "--stream, ");
+    else if (o->stream && b->ram - step->ram >= 2048)
+        printf("%zu KB stay free: with --kept fewer lines are computed again\n",
+               (b->ram - step->ram) / 1024);
     if (step->flash > b->flash)
         puts("too much flash: --texels of bake saves some");
 }
