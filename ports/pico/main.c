@@ -105,9 +105,11 @@ static void open_scene(void)
 
     scene = baked_scene;
     world = live_take(&arena, "ram world ", bytes);
-    for (int core = 0; core < CORES; core++)
+    for (int core = 0; core < CORES; core++) {
         scratch[core] = live_take(&arena, " scratch ",
                                   tp_frame_scratch_bytes(picture, &scene));
+        memset(scratch[core], 0, tp_frame_scratch_bytes(picture, &scene));
+    }
     const size_t frame_bytes = tp_frame_bytes(picture, &scene);
     void *block = live_take(&arena, " frame ", frame_bytes);
     sends = live_take(&arena, " panel ", lcd_bytes(&config, NULL));
