@@ -34,7 +34,8 @@ seen=$(hashes $on)
 same "it is drawn as it was when this test was written" "$seen" \
     "frame 0060 crc32 5033fe65"
 same "and with it other pixels" "$([ "$seen" != "$off" ]; echo $?)" 0
-for tiling in "--band 7" "--strip 32" "--threads 2" "--stream" "--band 8 --strip 32 --kept 2k"; do
+for tiling in "--band 7" "--strip 32" "--threads 2" "--stream" "--band 8 --strip 32 --kept 2k" \
+    "--band 4 --strip 48 --kept 2k --threads 3"; do
     same "by the same pixels with $tiling" "$(hashes $on $tiling)" "$seen"
 done
 same "its stage takes the colour of its row" \
