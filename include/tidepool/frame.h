@@ -169,6 +169,42 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
 tp_status tp_frame_init(tp_frame **frame, const tp_config *config, const tp_scene *scene,
                         void *memory, size_t bytes, tp_error *err);
 
+/* All that tp_frame_init finds out about a config and a scene, as a constant.  `tidepool
+ * bake` writes it, and a function NAME_frame_init that makes the frame of it, without the
+ * code that checks and finds out.  The numbers are the same on every machine. */
+typedef struct {
+    const tp_config *config;        /* tile size filled in, program named */
+    const tp_scene  *scene;         /* never changes while the frame lives */
+    const tp_assets *assets;        /* not NULL */
+    const uint8_t   *stencil;       /* first stencil value of each module, or 0 */
+    uint64_t enabled;               /* bit i: module i of the program is on, ... */
+    uint64_t laid;                  /* ... and draws */
+    uint32_t scratch_bytes;         /* tp_frame_scratch_bytes */
+    uint32_t renderer_bytes;        /* of it, for the columns of a water renderer */
+    uint32_t kept_bytes;            /* of it, for lines of streamed water */
+    uint16_t across, down;          /* number of tiles */
+    uint16_t extra_rows;            /* rows of samples that a tile needs beyond its own */
+    uint16_t stencil_values;        /* in use */
+    uint8_t  lists;                 /* number of shader lists */
+    uint8_t  modules;               /* number of modules of the program */
+    uint8_t  unmarked;              /* number of modules without enough stencil values */
+    uint8_t  outlined;              /* 1 + the module that draws outlines; 0: none */
+    uint8_t  visibility, shading, rate;     /* rungs */
+    bool     half_lines;            /* quality.lines = half */
+    bool     packed_rows;           /* quality.blending = rgb565 */
+    bool     coast;                 /* the water's grid is displaced over a floor */
+    bool     needs_samples;         /* things in the water, but no model `samples` */
+} tp_baked_frame;
+
+/* Functions that a baked file calls: tp_frame_bytes and tp_frame_init of a baked frame.
+ *  - TP_E_NULL, TP_E_ALIGN: err->word is the argument; TP_E_NOSPACE: `bytes` are too few */
+struct tp_frame_maker {
+    size_t (*bytes)(const tp_baked_frame *baked);
+    tp_status (*init)(tp_frame **frame, const tp_baked_frame *baked, void *memory,
+                      size_t bytes, tp_error *err);
+};
+extern const struct tp_frame_maker tp_frame_maker;
+
 /* Begins a picture of the world.  The world must not change before the last tile is
  * drawn. */
 void tp_frame_begin(tp_frame *frame, const tp_world *world);

@@ -114,15 +114,14 @@ int main(void)
 {
     const size_t world_bytes = baked_world_bytes;
     tp_arena  arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
-    const size_t bytes = tp_frame_bytes(&baked_config, &baked_scene);
+    const size_t bytes = baked_frame_bytes();
     void *block = take(&arena, bytes, "the frame does not fit: ");
-    void *scratch = take(&arena, tp_frame_scratch_bytes(&baked_config, &baked_scene),
-                         "the tile does not fit: ");
+    void *scratch = take(&arena, baked_scratch_bytes, "the tile does not fit: ");
     tp_world *world = take(&arena, world_bytes, "the world does not fit: ");
     tp_frame *frame;
     tp_error  err;
 
-    if (tp_frame_init(&frame, &baked_config, &baked_scene, block, bytes, &err))
+    if (baked_frame_init(&frame, block, bytes, &err))
         semihost_stop("the frame cannot be made");
     if (baked_world_init(world, world_bytes, &err))
         semihost_stop("the world cannot be made");

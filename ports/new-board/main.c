@@ -6,8 +6,13 @@
 #include "cortex-m/frame_crc.h"
 #include "tidepool/tidepool.h"
 
-extern const tp_scene  baked_scene;     /* scene.c, written by scene.sh */
-extern const tp_config baked_config;    /* uses the baked modules */
+/* scene.c, written by scene.sh; the program is that of the scene. */
+extern const tp_scene  baked_scene;
+extern const tp_config baked_config;
+extern const size_t    baked_world_bytes, baked_scratch_bytes;
+size_t baked_frame_bytes(void);
+tp_status baked_frame_init(tp_frame **frame, void *memory, size_t bytes, tp_error *err);
+tp_status baked_world_init(tp_world *world, size_t bytes, tp_error *err);
 
 enum {
     CHECKED = 60,               /* the picture with the CRC: after one second */
@@ -72,16 +77,14 @@ static void *take(size_t bytes, const char *what)
 
 static void make_world(void)
 {
-    const tp_scene *s = &baked_scene;
-    const size_t frame_bytes = tp_frame_bytes(&baked_config, s);
-    const size_t world_bytes = tp_world_bytes(NULL, s, baked_config.assets);
+    const size_t frame_bytes = baked_frame_bytes();
     void *block = take(frame_bytes, ", for the frame");
 
-    scratch = take(tp_frame_scratch_bytes(&baked_config, s), ", for a tile");
-    world = take(world_bytes, ", for the world");
-    if (tp_frame_init(&frame, &baked_config, s, block, frame_bytes, NULL))
+    scratch = take(baked_scratch_bytes, ", for a tile");
+    world = take(baked_world_bytes, ", for the world");
+    if (baked_frame_init(&frame, block, frame_bytes, NULL))
         stop(EXIT_MEMORY, "the frame cannot be made");
-    if (tp_world_init(NULL, world, world_bytes, s, baked_config.assets, NULL))
+    if (baked_world_init(world, baked_world_bytes, NULL))
         stop(EXIT_MEMORY, "the world cannot be made");
 }
 

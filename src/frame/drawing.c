@@ -12,64 +12,6 @@
 
 #define EACH_ON(i, use, frame) EACH_OF((frame)->modules_on, i, use, (frame)->program)
 
-/* -- memory -------------------------------------------------------------------------- */
-
-/* True if this module is drawn.  *mark is its first stencil value; 0 if it needs none. */
-static bool check_enabled_and_reserve_marks(tp_frame_buffers *buffers, const tp_use *u,
-                                            tp_module_conditions *conditions,
-                                            uint32_t *mark)
-{
-    *mark = 0;
-    if (!tp_module_ask_condition(u->module, conditions) || !u->drawing)
-        return false;
-    if (!u->drawing->marks)
-        return true;
-    *mark = tp_marks_reserve_stencil_values(&buffers->marks, u->drawing->marks(conditions));
-    buffers->lacks += *mark == 0;
-    return *mark > 0;
-}
-
-static void assign_lists(tp_frame_buffers *buffers, const tp_use *u, uint32_t count)
-{
-    uint32_t list = TP_LIST_WATER + 1;
-
-    for (uint32_t i = 0; i < count; i++)
-        if (buffers->mark[i])
-            tp_marks_assign_list(&buffers->marks, list++, buffers->mark[i], u[i].drawing);
-}
-
-void tp_frame_layout_modules(const tp_program *program, tp_frame_buffers *buffers,
-                             tp_arena *arena, tp_module_conditions conditions)
-{
-    const size_t begin = arena->used;
-    const tp_use *const u = program->modules;
-    uint32_t count = 0, looks = 0, mark;
-
-    while (u && u[count].module)
-        count++;
-    TP_ASSERT(count <= TP_MODULES);
-    buffers->module = tp_arena_alloc(arena, count, sizeof *buffers->module);
-    buffers->mark = tp_arena_alloc(arena, count, sizeof *buffers->mark);
-    tp_marks_init(&buffers->marks);
-    for (uint32_t i = 0; i < count; i++) {
-        const bool on = check_enabled_and_reserve_marks(buffers, &u[i], &conditions, &mark);
-        const size_t used = arena->used;
-        void *mine =
-            on && u[i].drawing->layout ? u[i].drawing->layout(arena, &conditions) : NULL;
-        looks += on && u[i].drawing->draw_map ? (uint32_t)(arena->used - used) : 0;
-        buffers->laid |= (uint64_t)on << i;
-        if (buffers->module) {
-            buffers->module[i] = mine;
-            buffers->mark[i] = (uint8_t)mark;
-        }
-    }
-    tp_marks_layout(&buffers->marks, arena);
-    if (buffers->marks.list)
-        assign_lists(buffers, u, count);
-    buffers->map_bytes = looks;
-    buffers->module_bytes = (uint32_t)(arena->used - begin) - looks;
-}
-
 /* -- enabled modules ----------------------------------------------------------------- */
 
 /* True if module i has its memory.  A module that was off at init has none and is not

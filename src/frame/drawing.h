@@ -251,13 +251,10 @@ void tp_marks_init(tp_marks *marks);
  * value; 0: none is wanted, or too few are left. */
 uint32_t tp_marks_reserve_stencil_values(tp_marks *marks, uint32_t wanted);
 
-/* Allocates the memory of the lists; all stencil values are dealt. */
-void tp_marks_layout(tp_marks *marks, tp_arena *arena);
-
-/* Assigns shader list `list_index`, and the stencil values from `first_mark` on, to their
- * owner. */
-void tp_marks_assign_list(tp_marks *marks, uint32_t list_index, uint32_t first_mark,
-                          const struct tp_drawing *owner);
+/* Allocates the memory of the lists; all stencil values are dealt.  Those of module i of
+ * `modules` begin at first[i], 0: it has none. */
+void tp_marks_layout(tp_marks *marks, tp_arena *arena, const tp_use *modules,
+                     const uint8_t *first, uint32_t count);
 
 static inline tp_shaders *tp_marks_list(const tp_marks *marks, uint32_t mark)
 {
@@ -322,10 +319,6 @@ typedef struct tp_drawing {
 } tp_drawing;
 
 /* -- drawing.c: loops over the program's modules ------------------------------------- */
-
-/* Lays out the memory of all enabled modules, their stencil values and all shader lists. */
-void tp_frame_layout_modules(const tp_program *program, struct tp_frame_buffers *buffers,
-                             tp_arena *arena, tp_module_conditions conditions);
 
 /* Asks each module if it is on in this picture; only enabled modules take part. */
 void tp_frame_enable_modules(struct tp_frame *frame);

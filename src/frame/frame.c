@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A frame from its config to its init: check and layout.  The frame is one block of memory,
- * laid out at init as the scene demands.  Nothing is allocated later.
+ * A frame from its config to its init: checks them, and finds all that baked_frame.c makes
+ * the frame of.
  */
 #include "base/base.h"
 #include "frame/frame.h"
@@ -12,110 +12,21 @@
 #include "world/module.h"
 #include "world/pools.h"
 
-/* -- layout of the block ------------------------------------------------------------- */
-
-/* Lays out the memory of the possible water renderers. */
-static void layout_renderers(tp_frame_buffers *p, tp_arena *arena,
-                             const tp_program *program, const tp_scene *scene,
-                             const tp_config *config)
-{
-    for (int v = TP_VISIBILITY_TRIANGLES; v <= TP_VISIBILITY_WALK; v++) {
-        const struct tp_water_renderer *method =
-            tp_frame_renderer(program, (tp_visibility)v);
-        if (p->rung_mask.visibility >> v & 1 && method)
-            method->layout(p, arena, program, scene, config);
-    }
-}
-
-bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene)
-{
-    const tp_module_conditions conditions =
-        tp_world_module_conditions(program, scene, NULL);
-    return tp_modules_is_any_active(program->modules, &conditions, TP_MODULE_COASTAL);
-}
+/* -- what follows from the scene ------------------------------------------------------ */
 
 bool tp_frame_has_coast(const tp_program *program, const tp_scene *scene)
 {
-    return tp_has_floor(scene) && tp_frame_is_coastal(program, scene);
-}
-
-bool tp_frame_is_grid_streamed(const tp_program *program)
-{
-    return program->method.triangles && program->method.triangles->most_kept_bytes;
-}
-
-/* Returns the bytes of lines that a scratch keeps: of walked water if the scene draws it,
- * else of the grid. */
-static uint32_t kept_bytes(const tp_program *program, const tp_scene *scene,
-                           const tp_config *config)
-{
-    const bool walks =
-        scene->quality.visibility == TP_VISIBILITY_WALK && program->method.walk;
-    const struct tp_water_renderer *by =
-        walks ? program->method.walk : program->method.triangles;
-
-    if (!config->kept_bytes || !program->draw.kept_lines || !by || !by->most_kept_bytes)
-        return 0;
-    const size_t most = by->most_kept_bytes(scene, config);
-    return config->kept_bytes < most ? (config->kept_bytes + 7) & ~7u : (uint32_t)most;
-}
-
-/* Returns the conditions that decide if a module is on, for a frame. */
-tp_module_conditions tp_frame_module_conditions(const tp_program *program,
-                                                const tp_frame_buffers *buffers,
-                                                const tp_scene *scene,
-                                                const tp_assets *assets,
-                                                const tp_config *config)
-{
-    return (tp_module_conditions){
-        .scene = scene,
-        .assets = assets,
-        .water = &program->water,
-        .width = config->width,
-        .height = config->height,
-        .shadings = buffers->rung_mask.shading,
-        .streams = tp_frame_is_grid_streamed(program),
-    };
-}
-
-tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
-                                  const tp_assets *assets, const tp_config *config)
-{
-    return (tp_plan_input){ program->modules, scene, assets, config->width,
-                            config->height };
-}
-
-/* Allocates the frame's block, the frame itself first.  Called with a counting arena, then
- * with the block.  Returns sizes in `ram`. */
-static tp_frame *allocate_frame(const tp_program *program, tp_frame_buffers *buffers,
-                                tp_ram_use *ram, tp_arena *arena, const tp_scene *scene,
-                                tp_assets *assets, const tp_config *config)
-{
-    tp_frame *frame = tp_arena_alloc(arena, 1, sizeof *frame);
-    const size_t fixed = arena->used;
-
-    *buffers = (tp_frame_buffers){
-        .rung_mask = tp_frame_rung_mask(scene),
-        .renderer_bytes = (uint32_t)tp_renderer_tile_bytes(program, scene, config),
-    };
-    layout_renderers(buffers, arena, program, scene, config);
-    const tp_plan_input in = tp_frame_plan_input(program, scene, assets, config);
-    if (program->draw.culling)
-        program->draw.culling->layout(buffers, arena, &in);
-    const size_t placed = arena->used;
     const tp_module_conditions conditions =
-        tp_frame_module_conditions(program, buffers, scene, assets, config);
-    tp_frame_layout_modules(program, buffers, arena, conditions);
-    const size_t modules = arena->used;
-    buffers->gradient = tp_table_layout(arena, assets, TP_TABLE_gradient,
-                                        (TP_SKY + 1) * sizeof(uint32_t));
-    *ram = (tp_ram_use){
-        .frame = arena->used,
-        .vertices = placed - fixed,
-        .tables = buffers->module_bytes + arena->used - modules,
-        .mirror = buffers->map_bytes,
-    };
-    return frame;
+        tp_world_module_conditions(program, scene, NULL);
+
+    return tp_has_floor(scene)
+           && tp_modules_is_any_active(program->modules, &conditions, TP_MODULE_COASTAL);
+}
+
+bool tp_frame_asks_samples(const tp_program *program, tp_module_conditions conditions)
+{
+    return !program->water.samples
+           && tp_modules_is_any_active(program->modules, &conditions, TP_MODULE_SAMPLES);
 }
 
 /* -- check and init ------------------------------------------------------------------ */
@@ -146,11 +57,6 @@ static tp_config config_with_defaults(const tp_config *config, const tp_scene *s
     if (scene != NULL)
         c.assets = tp_assets_or_scene_default(scene, c.assets);
     return c;
-}
-
-static tp_assets assets_or_empty(const tp_assets *assets)
-{
-    return assets != NULL ? *assets : (tp_assets){ .boat = NULL };
 }
 
 /* Checks the stages and the pixel store needed by each picture. */
@@ -195,42 +101,28 @@ static tp_status check_both(const tp_config *c, const tp_scene *scene, tp_error 
                            : status;
 }
 
-size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
-{
-    const tp_config c = config_with_defaults(config, scene);
-    tp_arena arena = tp_arena_init(NULL, 0);
-    tp_assets known = assets_or_empty(c.assets);
-    tp_frame_buffers buffers;
-    tp_ram_use ram;
+/* -- scratch of a tile --------------------------------------------------------------- */
 
-    if (check_both(&c, scene, NULL) != TP_OK)
-        return 0;
-    allocate_frame(c.program, &buffers, &ram, &arena, scene, &known, &c);
-    return ram.frame;
+/* True if the scene names water at half the rows, and the program has it. */
+static bool has_half_lines(const tp_config *c, const tp_scene *scene)
+{
+    return scene->quality.lines == TP_RUNG_FAST && c->program->draw.half_lines;
 }
 
-/* Returns the code for water at half the rows, if the scene names it. */
-static const struct tp_draw_half_lines *find_half_lines(const tp_config *c,
-                                                        const tp_scene *scene)
-{
-    return scene->quality.lines == TP_RUNG_FAST ? c->program->draw.half_lines : NULL;
-}
-
-/* Returns the code for packed rows, if the scene names them and the pictures are rgb565. */
-static const struct tp_draw_packed_rows *find_packed_rows(const tp_config *c,
-                                                          const tp_scene *scene)
+/* True if the scene names packed rows, the program has them and the pictures are rgb565. */
+static bool has_packed_rows(const tp_config *c, const tp_scene *scene)
 {
     const bool packed = c->format == TP_FORMAT_RGB565 || c->format == TP_FORMAT_RGB565BE;
 
     return packed && scene->quality.blending == TP_RUNG_FAST
-               ? c->program->draw.packed_rows : NULL;
+           && c->program->draw.packed_rows;
 }
 
 /* Returns the rows of samples that a tile may need beyond its own. */
 static uint32_t count_extra_rows(const tp_config *c, const tp_scene *scene)
 {
-    const struct tp_draw_half_lines *half = find_half_lines(c, scene);
-    return half ? half->extra_rows(c->tile_height, c->height) : 0;
+    return has_half_lines(c, scene)
+               ? c->program->draw.half_lines->extra_rows(c->tile_height, c->height) : 0;
 }
 
 /* Returns the bytes of a tile's window of a streamed grid. */
@@ -239,6 +131,22 @@ static size_t window_bytes(const tp_program *program, const tp_scene *scene)
     return tp_frame_is_grid_streamed(program)
                ? tp_grid_window_bytes(tp_fan_most_cols(tp_fan_budget(scene)),
                                       tp_frame_has_coast(program, scene)) : 0;
+}
+
+/* Returns the bytes of lines that a scratch keeps: of walked water if the scene draws it,
+ * else of the grid. */
+static uint32_t kept_bytes(const tp_program *program, const tp_scene *scene,
+                           const tp_config *config)
+{
+    const bool walks =
+        scene->quality.visibility == TP_VISIBILITY_WALK && program->method.walk;
+    const struct tp_water_renderer *by =
+        walks ? program->method.walk : program->method.triangles;
+
+    if (!config->kept_bytes || !program->draw.kept_lines || !by || !by->most_kept_bytes)
+        return 0;
+    const size_t most = by->most_kept_bytes(scene, config);
+    return config->kept_bytes < most ? (config->kept_bytes + 7) & ~7u : (uint32_t)most;
 }
 
 /* Returns the planes of a tile's samples: four, and four more for outlines.  The answer
@@ -282,55 +190,120 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
     return scratch_size(config, scene, true);
 }
 
-/* Lays out the frame in its block and fills the members; tables are filled later. */
-static tp_frame *make(tp_arena *arena, const tp_config *c, const tp_scene *scene)
-{
-    tp_assets known = assets_or_empty(c->assets);
-    tp_frame_buffers buffers;
-    tp_ram_use ram;
-    tp_frame *frame = allocate_frame(c->program, &buffers, &ram, arena, scene, &known, c);
+/* -- find and init ------------------------------------------------------------------- */
 
-    TP_ASSERT(arena->used == ram.frame && !arena->failed);
-    memset(frame, 0, sizeof *frame);
-    frame->program = c->program;
-    frame->scene = scene;
-    frame->assets = known;
-    frame->config = *c;
-    frame->across = (c->width + c->tile_width - 1) / c->tile_width;
-    frame->down = (c->height + c->tile_height - 1) / c->tile_height;
-    frame->buffers = buffers;
-    frame->half_lines = find_half_lines(c, scene);
-    frame->packed_rows = find_packed_rows(c, scene);
-    frame->extra_rows = count_extra_rows(c, scene);
-    frame->kept_bytes = kept_bytes(c->program, scene, c);
-    frame->ram = ram;
-    frame->ram.scratch = scratch_size(c, scene, false);
-    return frame;
+/* Finds the modules that are on, and deals stencil values to those that draw samples. */
+static void find_modules(tp_found_frame *to, tp_module_conditions conditions)
+{
+    tp_baked_frame *f = &to->frame;
+    tp_marks marks;
+
+    tp_marks_init(&marks);
+    for (const tp_use *u = to->config.program->modules; u && u->module; u++) {
+        const uint64_t bit = (uint64_t)1 << f->modules;
+        const bool on = tp_module_ask_condition(u->module, &conditions);
+        const bool draws = on && u->drawing, marked = draws && u->drawing->marks;
+        const uint32_t first = marked ? tp_marks_reserve_stencil_values(
+                                            &marks, u->drawing->marks(&conditions)) : 0;
+        TP_ASSERT(f->modules < TP_MODULES);
+        to->stencil[f->modules++] = (uint8_t)first;
+        f->enabled |= on ? bit : 0;
+        f->unmarked = (uint8_t)(f->unmarked + (marked && !first));
+        if (!draws || (marked && !first))
+            continue;
+        f->laid |= bit;
+        f->outlined = u->drawing->outlining ? f->modules : f->outlined;
+    }
+    f->stencil_values = marks.count;
+    f->lists = marks.lists;
+}
+
+static void find_rungs(tp_baked_frame *to, const tp_config *c, const tp_scene *scene)
+{
+    const tp_rungs named = tp_frame_named_rungs(scene);
+
+    to->visibility = (uint8_t)named.visibility;
+    to->shading = (uint8_t)named.shading;
+    to->rate = (uint8_t)named.rate;
+    to->half_lines = has_half_lines(c, scene);
+    to->packed_rows = has_packed_rows(c, scene);
+    to->extra_rows = (uint16_t)count_extra_rows(c, scene);
+}
+
+/* Finds all of a checked config and scene. */
+static void find(tp_found_frame *to, const tp_scene *scene)
+{
+    const tp_config *c = &to->config;
+    const tp_program *program = c->program;
+    tp_baked_frame *f = &to->frame;
+
+    *f = (tp_baked_frame){ .config = c, .scene = scene, .assets = &to->assets,
+                           .stencil = to->stencil };
+    find_rungs(f, c, scene);
+    const tp_frame_buffers buffers = {
+        .rung_mask = tp_frame_rung_mask(tp_frame_named_rungs(scene))
+    };
+    const tp_module_conditions conditions =
+        tp_frame_module_conditions(program, &buffers, scene, &to->assets, c);
+    find_modules(to, conditions);
+    f->across = (uint16_t)((c->width + c->tile_width - 1) / c->tile_width);
+    f->down = (uint16_t)((c->height + c->tile_height - 1) / c->tile_height);
+    f->scratch_bytes = (uint32_t)scratch_size(c, scene, false);
+    f->renderer_bytes = (uint32_t)tp_renderer_tile_bytes(program, scene, c);
+    f->kept_bytes = kept_bytes(program, scene, c);
+    f->coast = tp_frame_has_coast(program, scene);
+    f->needs_samples = tp_frame_asks_samples(program, conditions);
+}
+
+tp_status tp_frame_find(tp_found_frame *to, const tp_config *config, const tp_scene *scene,
+                        tp_error *err)
+{
+    to->config = config_with_defaults(config, scene);
+    const tp_status status = check_both(&to->config, scene, err);
+
+    if (status != TP_OK)
+        return status;
+    to->assets = to->config.assets ? *to->config.assets : (tp_assets){ .boat = NULL };
+    find(to, scene);
+    return TP_OK;
+}
+
+size_t tp_frame_bytes(const tp_config *config, const tp_scene *scene)
+{
+    tp_found_frame found;
+
+    return tp_frame_find(&found, config, scene, NULL) == TP_OK
+               ? tp_baked_frame_bytes(&found.frame) : 0;
+}
+
+/* Finds again what a change of the scene's numbers changes. */
+static void read_scene(tp_frame *frame)
+{
+    const tp_program *program = frame->program;
+
+    tp_frame_enable_modules(frame);
+    tp_frame_choose_rungs(frame);
+    if (!program->water.samples)
+        frame->needs_samples = tp_frame_asks_samples(
+            program, tp_frame_module_conditions(program, &frame->buffers, frame->scene,
+                                                &frame->assets, &frame->config));
 }
 
 tp_status tp_frame_init(tp_frame **out, const tp_config *config, const tp_scene *scene,
                         void *memory, size_t bytes, tp_error *err)
 {
-    const tp_config c = config_with_defaults(config, scene);
+    tp_found_frame found;
     tp_status status = tp_pointer_check(out, "frame", err);
 
     if (status == TP_OK)
-        status = check_both(&c, scene, err);
+        status = tp_frame_find(&found, config, scene, err);
     if (status == TP_OK)
-        status = check_program(c.program, c.format, err);
+        status = check_program(found.config.program, found.config.format, err);
     if (status == TP_OK)
-        status = tp_pointer_check_aligned(memory, 8, "memory", err);
-    if (status != TP_OK)
-        return status;
-    const size_t needed = tp_frame_bytes(&c, scene);
-    if (bytes < needed)
-        return TP_FAIL(err, TP_E_NOSPACE, 0, needed, bytes);
-    tp_arena arena = tp_arena_init(memory, bytes);
-    tp_frame *frame = make(&arena, &c, scene);
-    tp_frame_choose_rungs(frame);
-    tp_frame_init_modules(frame);
-    *out = frame;
-    return TP_OK;
+        status = tp_baked_frame_init(out, &found.frame, memory, bytes, err);
+    if (status == TP_OK)
+        (*out)->read_scene = read_scene;
+    return status;
 }
 
 uint32_t tp_frame_tiles(const tp_frame *frame)

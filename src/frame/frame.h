@@ -38,6 +38,7 @@ typedef struct {
 typedef struct tp_frame_buffers {
     tp_grid         *grid;              /* NULL: no renderer stores grid vertices */
     tp_rung_mask     rung_mask;         /* rungs with memory */
+    bool             coast;             /* the grid's vertices are displaced over a floor */
     tp_level        *level;             /* level plane of flat and screen grid */
     tp_projected    *projected;
     tp_own_table    *gradient;          /* of the sky; NULL: baked */
@@ -77,9 +78,11 @@ struct tp_frame {
     tp_grid_view     grid_view;
     bool             cull_water;        /* true: the eye is above every crest */
     tp_rungs         rungs;             /* quality rungs of this frame */
-    tp_rungs         asked;             /* by a tool, if `steered` */
-    bool             steered;
+    tp_rungs         asked;             /* by a tool; visibility AUTO: by the scene */
     tp_visibility    visibility;        /* water renderer of this frame */
+    /* Finds the modules that are on and the rungs, which a change of the scene's numbers
+     * changes.  NULL: the scene is a constant, all of it is known since init. */
+    void (*read_scene)(tp_frame *frame);
     tp_cell_drawer  *draw_cell;         /* of the water, by quality.triangles; NULL: exact */
     tp_triangle_drawer *draw_triangle;  /* of the water; NULL: the program lacks it */
 
@@ -106,6 +109,8 @@ struct tp_frame {
 #define TP_LACKING_SAMPLES 254          /* no water is known above positions, */
 #define TP_LACKING_CELLS   253          /* no triangles of the grid are drawn, */
 #define TP_LACKING_ROWS    252          /* the grid's rows are not placed */
+    bool             needs_samples;     /* true: a module asks for the water above positions,
+                                         * and the program has no samples of swells */
     tp_own_table    *own_table[TP_TABLE_COUNT];     /* in use; NULL: baked, or none */
 
     tp_shade         shade;
@@ -128,15 +133,34 @@ static inline void tp_frame_count_lack(tp_frame *frame, uint8_t who)
         frame->lacking = who;
 }
 
-/* frame.c */
+/* frame.c: a frame as found from a config and a scene; `frame` points into the struct. */
+typedef struct {
+    tp_baked_frame frame;
+    tp_config      config;
+    tp_assets      assets;
+    uint8_t        stencil[TP_MODULES];
+} tp_found_frame;
+
+/* Checks config and scene as tp_frame_bytes does.  TP_OK: *to is found. */
+tp_status tp_frame_find(tp_found_frame *to, const tp_config *config, const tp_scene *scene,
+                        tp_error *err);
+
+/* True if the grid's vertices are displaced over a floor. */
+bool tp_frame_has_coast(const tp_program *program, const tp_scene *scene);
+
+/* True if a module asks for the water above positions: things in the water. */
+bool tp_frame_asks_samples(const tp_program *program, tp_module_conditions conditions);
+
+/* baked_frame.c: functions of tp_frame_maker.  tp_frame_module_conditions returns the
+ * conditions that decide if a module is on, for a frame. */
+size_t tp_baked_frame_bytes(const tp_baked_frame *known);
+tp_status tp_baked_frame_init(tp_frame **out, const tp_baked_frame *known, void *memory,
+                              size_t bytes, tp_error *err);
 tp_module_conditions tp_frame_module_conditions(const tp_program *program,
                                                 const tp_frame_buffers *buffers,
                                                 const tp_scene *scene,
                                                 const tp_assets *assets,
                                                 const tp_config *config);
-bool tp_frame_is_coastal(const tp_program *program, const tp_scene *scene);
-/* True if the grid's vertices are displaced over a floor. */
-bool tp_frame_has_coast(const tp_program *program, const tp_scene *scene);
 
 /* Returns a solid's colour in the light's colour. */
 static inline uint32_t tp_frame_lit_colour(const tp_frame *frame, uint32_t colour)
@@ -146,15 +170,14 @@ static inline uint32_t tp_frame_lit_colour(const tp_frame *frame, uint32_t colou
 
 /* True if the water's grid vertices are streamed, not stored. */
 bool tp_frame_is_grid_streamed(const tp_program *program);
-tp_plan_input tp_frame_plan_input(const tp_program *program, const tp_scene *scene,
-                                  const tp_assets *assets, const tp_config *config);
 
 /* visibility.c: the rungs of a frame, those with memory, the renderer of this frame's water,
  * and drawing by it. */
 const struct tp_water_renderer *tp_frame_renderer(const tp_program *program,
                                                   tp_visibility visibility);
 void tp_frame_choose_rungs(tp_frame *frame);
-tp_rung_mask tp_frame_rung_mask(const tp_scene *scene);
+tp_rungs tp_frame_named_rungs(const tp_scene *scene);       /* by the scene, or exact */
+tp_rung_mask tp_frame_rung_mask(tp_rungs named);
 void tp_frame_choose_visibility(tp_frame *frame);
 void tp_frame_place_surface(tp_frame *frame);
 void tp_frame_draw_surface(const tp_frame *frame, tp_gbuffer *tile, void *memory);

@@ -28,16 +28,11 @@ static void set_water_surface(tp_frame *frame)
 }
 
 /* Without samples, things in the water take swells for level. */
-TP_NEVER_INLINE void check_samples(tp_frame *frame)
+static void count_missing_samples(tp_frame *frame)
 {
-    const tp_program *program = frame->program;
     const tp_surface *surface = &frame->surface;
 
-    if (surface->by->samples || surface->coastal || !tp_surface_has_swells(surface))
-        return;
-    const tp_module_conditions conditions = tp_frame_module_conditions(
-        program, &frame->buffers, frame->scene, &frame->assets, &frame->config);
-    if (tp_modules_is_any_active(program->modules, &conditions, TP_MODULE_SAMPLES))
+    if (frame->needs_samples && !surface->coastal && tp_surface_has_swells(surface))
         tp_frame_count_lack(frame, TP_LACKING_SAMPLES);
 }
 
@@ -77,15 +72,17 @@ void tp_frame_begin(tp_frame *frame, const tp_world *world)
     frame->picture++;
     frame->world = world;
     frame->drawn = tp_program_interpolate(frame->program, world);
-    tp_frame_enable_modules(frame);
+    if (frame->read_scene)
+        frame->read_scene(frame);
+    else
+        frame->modules_on = frame->buffers.laid;
     set_water_surface(frame);
-    check_samples(frame);
+    count_missing_samples(frame);
     tp_projection_init_turned(
         &frame->projection, frame->drawn.camera.eye, frame->drawn.camera.turn,
         scene->camera.fov, scene->camera.near, frame->config.width, frame->config.height);
     if (world->aboard == TP_ABOARD_DECK)
         frame->projection.lean = 0; /* golden frames of the deck camera have no lean */
-    tp_frame_choose_rungs(frame);
     if (draw->culling)
         draw->culling->cull_waves(frame);
     tp_frame_set_up_shading(frame);

@@ -198,7 +198,7 @@ static void layout_water(tp_frame_buffers *buffers, tp_arena *arena,
         if (buffers->filtered)
             tp_filtered_waves_clear(buffers->filtered);
     }
-    if (tp_frame_has_coast(program, scene))
+    if (buffers->coast)
         program->water.coastal->layout(grid, arena, tp_fan_budget(scene));
 }
 

@@ -93,7 +93,18 @@ static uint32_t first_stage_index(uint32_t i)
          + (i > TP_LIST_WATER ? TP_SHADERS_WATER - TP_SHADERS_OTHER : 0);
 }
 
-void tp_marks_layout(tp_marks *marks, tp_arena *arena)
+/* Assigns shader list i, and the stencil values from `first` on, to their owner. */
+static void assign_list(tp_marks *marks, uint32_t i, uint32_t first,
+                        const struct tp_drawing *owner)
+{
+    TP_ASSERT(i < marks->lists && first < marks->count);
+    memset(marks->list_of + first, (int)i, marks->count - first);
+    marks->list[i].first = (uint8_t)first;
+    marks->list[i].owner = owner;
+}
+
+void tp_marks_layout(tp_marks *marks, tp_arena *arena, const tp_use *modules,
+                     const uint8_t *first, uint32_t count)
 {
     const uint32_t room = first_stage_index(marks->lists);
     tp_shader *shader;
@@ -110,17 +121,11 @@ void tp_marks_layout(tp_marks *marks, tp_arena *arena)
                         i < LISTS ? (tp_list_kind)i : TP_LIST_THINGS,
                         shader + first_stage_index(i), order + first_stage_index(i),
                         first_stage_index(i + 1) - first_stage_index(i));
-    tp_marks_assign_list(marks, TP_LIST_SKY, TP_MARK_SKY, NULL);
-    tp_marks_assign_list(marks, TP_LIST_WATER, TP_MARK_WATER, NULL);
-}
-
-void tp_marks_assign_list(tp_marks *marks, uint32_t list_index, uint32_t first_mark,
-                          const struct tp_drawing *owner)
-{
-    TP_ASSERT(list_index < marks->lists && first_mark < marks->count);
-    memset(marks->list_of + first_mark, (int)list_index, marks->count - first_mark);
-    marks->list[list_index].first = (uint8_t)first_mark;
-    marks->list[list_index].owner = owner;
+    assign_list(marks, TP_LIST_SKY, TP_MARK_SKY, NULL);
+    assign_list(marks, TP_LIST_WATER, TP_MARK_WATER, NULL);
+    for (uint32_t i = 0, list = LISTS; i < count; i++)
+        if (first[i])
+            assign_list(marks, list++, first[i], modules[i].drawing);
 }
 
 /* -- sampling numbers of the water's drifting textures ------------------------------- */

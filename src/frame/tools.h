@@ -46,7 +46,7 @@ typedef struct {
 
 /* Sets the rungs of the following frames, for tests that compare two frames.  NULL: back to
  * those that the scene names.  A rung without memory in this frame (tp_rung_mask) is
- * replaced by the exact rung. */
+ * replaced by the exact rung.  Frames of tp_frame_maker keep their rungs. */
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs);
 
 /* Returns the number of tiles of the picture. */

@@ -9,9 +9,7 @@
 
 void tp_frame_set_rungs(tp_frame *frame, const tp_rungs *rungs)
 {
-    frame->steered = rungs != NULL;
-    if (rungs)
-        frame->asked = *rungs;
+    frame->asked = rungs ? *rungs : (tp_rungs){ .visibility = TP_VISIBILITY_AUTO };
 }
 
 /* Returns the rung named by the scene, else 1, the exact rung of its kind. */
@@ -20,7 +18,7 @@ static int rung_or_exact(int32_t named, int last)
     return named > 0 && named <= last ? named : 1;
 }
 
-static tp_rungs named_or_exact(const tp_scene *scene)
+tp_rungs tp_frame_named_rungs(const tp_scene *scene)
 {
     return (tp_rungs){
         (tp_visibility)rung_or_exact(scene->quality.visibility, TP_VISIBILITY_WALK),
@@ -29,10 +27,8 @@ static tp_rungs named_or_exact(const tp_scene *scene)
     };
 }
 
-tp_rung_mask tp_frame_rung_mask(const tp_scene *scene)
+tp_rung_mask tp_frame_rung_mask(tp_rungs named)
 {
-    const tp_rungs named = named_or_exact(scene);
-
     return (tp_rung_mask){
         (uint8_t)(1u << TP_VISIBILITY_TRIANGLES | 1u << named.visibility),
         (uint8_t)(1u << TP_SHADING_EXACT | 1u << named.shading),
@@ -104,7 +100,8 @@ void tp_frame_choose_rungs(tp_frame *frame)
 {
     frame->rungs = replace_unavailable_rungs(
         frame->buffers.rung_mask,
-        frame->steered ? frame->asked : named_or_exact(frame->scene));
+        frame->asked.visibility != TP_VISIBILITY_AUTO ? frame->asked
+                                                      : tp_frame_named_rungs(frame->scene));
 }
 
 /* Sets the grid's placement, needed by all renderers. */

@@ -81,14 +81,14 @@ int main(void)
     tp_arena arena = tp_arena_init(arena_start, (size_t)(arena_end - arena_start));
     const size_t world_bytes =
         tp_world_bytes(&baked_program, &baked_scene, &baked_assets);
-    const size_t bytes = tp_frame_bytes(&baked_config, &baked_scene);
+    const size_t bytes = baked_frame_bytes();
     tp_world *world = claim(&arena, world_bytes);
     void *block = claim(&arena, bytes);
     tp_error err;
 
     for (int core = 0; core < CORES; core++)
-        scratch[core] = claim(&arena, tp_frame_scratch_bytes(&baked_config, &baked_scene));
-    if (tp_frame_init(&frame, &baked_config, &baked_scene, block, bytes, &err)
+        scratch[core] = claim(&arena, baked_scratch_bytes);
+    if (baked_frame_init(&frame, block, bytes, &err)
         || tp_world_init(&baked_program, world, world_bytes, &baked_scene, &baked_assets,
                          &err))
         semihost_stop("the scene cannot be made");

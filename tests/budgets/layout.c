@@ -71,7 +71,10 @@ static const struct {
 static void measure_methods(const tp_scene *scene, const tp_config *config)
 {
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
-        tp_frame_buffers buffers = { .rung_mask = tp_frame_rung_mask(scene) };
+        tp_frame_buffers buffers = {
+            .rung_mask = tp_frame_rung_mask(tp_frame_named_rungs(scene)),
+            .coast = tp_frame_has_coast(&tp_program_all, scene),
+        };
         tp_arena arena = tp_arena_init(NULL, 0);
         if (!methods[i].renderer->layout)
             continue;
@@ -147,11 +150,11 @@ static void measure_lists(void)
     tp_arena first = tp_arena_init(NULL, 0), more = first;
 
     tp_marks_init(&marks);
-    tp_marks_layout(&marks, &first);
+    tp_marks_layout(&marks, &first, NULL, NULL, 0);
     say("lists", first.used);
     for (int i = 0; i < 8; i++)
         tp_marks_reserve_stencil_values(&marks, 1);
-    tp_marks_layout(&marks, &more);
+    tp_marks_layout(&marks, &more, NULL, NULL, 0);
     say("list", (more.used - first.used) / 8);
 }
 

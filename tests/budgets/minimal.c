@@ -35,17 +35,15 @@ static uint32_t draw(tp_frame *frame, void *scratch, const tp_world *world)
 static int run(void)
 {
     const tp_program *program = &baked_program;
-    const tp_config *config = &baked_config;
     uint8_t *at = arena_start;
-    size_t block = tp_frame_bytes(config, &baked_scene);
-    size_t scratch = tp_frame_scratch_bytes(config, &baked_scene);
+    size_t block = baked_frame_bytes();
+    size_t scratch = baked_scratch_bytes;
     size_t bytes = baked_world_bytes;
     tp_world *world = (tp_world *)(void *)(at + ((block + 7) & ~(size_t)7));
     tp_frame *frame;
 
     at = (uint8_t *)world + ((bytes + 7) & ~(size_t)7);
-    if (tp_frame_init(&frame, config, &baked_scene, arena_start,
-                      tp_frame_bytes(config, &baked_scene), NULL)
+    if (baked_frame_init(&frame, arena_start, block, NULL)
         || baked_world_init(world, bytes, NULL))
         return 1;
     semihost_write("size 320x240\n");

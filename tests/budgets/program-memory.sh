@@ -40,10 +40,10 @@ linked()        # SCENE
     flash_link "$scratch/program" "$built/baked/$1@64.o"
     flash_linked "$scratch/program.map" "$built/baked/$1@64.o"
     arm-none-eabi-nm -S -t d "$built/baked/$1@64.o" | awk '
-        NF == 4 && $4 != "baked_world_init" {
+        NF == 4 && $4 !~ /^baked_(frame_bytes|(frame|world)_init|direct_scratch_bytes)$/ {
             rest = $4 ~ /^baked_(scene|assets|program|config|modules|lacks|boat|.*_stages)$/ ||
                 $4 ~ /^baked_boat_(materials|vertices|faces)$/ || $4 !~ /^baked_/ ||
-                $4 ~ /^baked_(tables|coastal|world(_.*)?)$/ ||
+                $4 ~ /^baked_(tables|coastal|(world|frame)(_.*)?|stencil|scratch_bytes)$/ ||
                 $4 ~ /^baked_(gradient|shine|tones|dome|light|ripples|rows)(_of)?$/
             sum[rest] += $2
         }

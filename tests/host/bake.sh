@@ -183,6 +183,31 @@ same "it has the modules of its list and no other" \
     "$(symbols lacks | sed -n '/^tp_frame_/!s/_module$//p')" \
     "$(sed -n 's/^    { &\(tp_[a-z_]*\)_module, .*/\1/p' k.c | sort)"
 
+# A baked frame has the bits, the memory and the errors of tp_frame_init, without its code.
+frames()        # SCENE [OPTION]...
+{
+    run bake "$@" -o m.c --name baked --size 64x48 --format rgb565 --texels 8 --no-input
+    for kind in BAKED GENERAL; do
+        # shellcheck disable=SC2086
+        ${CC:-cc} $linked -D$kind -I"$root/ports" "$root/tests/host/baked_frame.c" m.c \
+            "$root/build/host/libtidepool.a" -o $kind 2>err && ./$kind >$kind.out
+    done
+    same "$1 draws by its baked frame as by tp_frame_init" \
+        "$(grep -c '^[0-9a-f]\{8\}$' BAKED.out) $(cmp BAKED.out GENERAL.out)" "2 "
+}
+frames minimal
+frames harbour
+frames storm --step 6
+frames tank --set quality.visibility=triangles
+same "a baked frame links nothing that finds it" \
+    "$(symbols GENERAL | grep -c '^tp_\(frame_init\|frame_find\)$') \
+$(symbols BAKED | grep '^tp_\(frame_init\|frame_find\)$')" "2 "
+sed 's/\.enabled = 0x[0-9a-f]*/.enabled = 0/; s/\.laid = 0x[0-9a-f]*/.laid = 0/' m.c >n.c
+# shellcheck disable=SC2086
+${CC:-cc} $linked -I"$root/ports" "$root/tests/host/baked_frame.c" n.c \
+    "$root/build/host/libtidepool.a" -o other 2>err && ./other >other.out
+same "one of other numbers is found" "$(cmp -s other.out GENERAL.out; echo $?)" 1
+
 # Frames from constants equal frames from files, with smaller pictures and settings too.
 draws()         # SCENE [SETTING]
 {

@@ -57,20 +57,22 @@ flash_link_alone()      # SYMBOL TO [OBJECT | OPTION]...: links what a symbol re
 # Links the functions that every program calls, with BAKED.o or without a scene.
 flash_link()            # TO [BAKED.o]
 {
-    set -- "$1" ${2:+-u baked_config -u baked_world_init "$2"}
+    set -- "$1" ${2:+-u baked_config -u baked_frame_bytes -u baked_frame_init \
+        -u baked_world_init "$2"}
     [ $# -gt 1 ] || set -- "$1" --defsym tp_program_linked=0
     to=$1
     shift
-    flash_link_alone tp_frame_init "$to" $(flash_calls) "$@"
+    flash_link_alone tp_frame_maker "$to" $(flash_calls) "$@"
 }
 
 # Lines "code BYTES" and "constants BYTES" of the program linked last: of the library, and of
-# the function that makes the baked world.
+# the functions that make the baked frame and world.
 flash_linked()          # MAP BAKED.o
 {
     awk -v files="$flash_files" -f tests/budgets/map.awk "$1" |
         awk -v init="$(arm-none-eabi-nm -S -t d "$2" |
-            awk '$4 == "baked_world_init" { print $2 }')" '
+            awk '$4 ~ /^baked_(frame_bytes|(frame|world)_init)$/ { n += $2 }
+                END { print n }')" '
             { print "code", $1 + init; print "constants", $2 }'
 }
 

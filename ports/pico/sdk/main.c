@@ -106,20 +106,17 @@ static void *take(size_t bytes)         /* the next part; NULL: not enough left 
 /* Makes frame and world; returns NULL if the memory is too small. */
 static tp_world *open_scene(void)
 {
-    const size_t frame_bytes = tp_frame_bytes(&baked_config, &baked_scene);
-    const size_t world_bytes =
-        tp_world_bytes(&baked_program, &baked_scene, &baked_assets);
+    const size_t frame_bytes = baked_frame_bytes();
     void     *block = take(frame_bytes);
-    tp_world *world = take(world_bytes);
+    tp_world *world = take(baked_world_bytes);
 
     for (int core = 0; core < CORES; core++) {
-        scratch[core] = take(tp_frame_scratch_bytes(&baked_config, &baked_scene));
+        scratch[core] = take(baked_scratch_bytes);
         if (!scratch[core])
             return NULL;
     }
-    if (!world || tp_frame_init(&frame, &baked_config, &baked_scene, block, frame_bytes, NULL)
-        || tp_world_init(&baked_program, world, world_bytes, &baked_scene, &baked_assets,
-                         NULL))
+    if (!world || baked_frame_init(&frame, block, frame_bytes, NULL)
+        || baked_world_init(world, baked_world_bytes, NULL))
         return NULL;
     return world;
 }

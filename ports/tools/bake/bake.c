@@ -12,6 +12,7 @@
 #include "app/files/output_file.h"
 #include "app/scene/loaded_scene.h"
 #include "bake_assets.h"
+#include "bake_frame.h"
 #include "bake_program.h"
 #include "bake_world.h"
 #include "program_memory.h"
@@ -118,10 +119,14 @@ static void put_head(const bake *b, const options *o, const loaded_scene *s)
         fprintf(b->out,
                 " *     extern const tp_program %s_program;\n"
                 " *     extern const tp_config %s_config;\n"
-                " *     extern const size_t %s_world_bytes;\n"
+                " *     extern const size_t %s_world_bytes, %s_scratch_bytes,"
+                " %s_direct_scratch_bytes;\n"
                 " *     tp_status %s_world_init(tp_world *world, size_t bytes,"
+                " tp_error *err);\n"
+                " *     size_t %s_frame_bytes(void);\n"
+                " *     tp_status %s_frame_init(tp_frame **frame, void *memory, size_t bytes,"
                 " tp_error *err);\n",
-                b->name, b->name, b->name, b->name);
+                b->name, b->name, b->name, b->name, b->name, b->name, b->name, b->name);
     fprintf(b->out, " *\n");
     put_contents(b, &s->assets.names);
     fprintf(b->out, "#include <tidepool/modules.h>\n");
@@ -174,11 +179,11 @@ static int put_all(const bake *b, const options *o, const loaded_scene *s)
     put_assets(b, names);
     if (!b->program)
         return EXIT_DONE;
-    const int code = bake_put_world(b->program, names, b->out, b->name);
+    int code = bake_put_world(b->program, names, b->out, b->name);
     const bool copied = bake_world_is_copied(b->program, names);
     bake_put_program(b->program, b->out, b->name, copied);
     bake_put_world_init(b->program, names, b->out, b->name);
-    return code;
+    return code ? code : bake_put_frame(b->program, names, b->out, b->name);
 }
 
 /* -- the command --------------------------------------------------------------------- */

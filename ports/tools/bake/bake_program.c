@@ -223,7 +223,7 @@ void bake_put_pieces(const bake_program *p, FILE *out)
 
 void bake_put_program(const bake_program *p, FILE *out, const char *name, bool world)
 {
-    const tp_config *c = &p->request.config;
+    tp_config filled, *c = &filled;
     static const char *const format[] = {
 #define X(name, word, bits, text) [TP_FORMAT_##name] = "TP_FORMAT_" #name,
         TP_FORMAT_LIST(X)
@@ -231,6 +231,7 @@ void bake_put_program(const bake_program *p, FILE *out, const char *name, bool w
     };
 
     component_terms terms = p->request.terms;
+    tp_config_check(&p->request.config, c, NULL);
     terms.world = world;
     components_write(out, name, &p->found.in, &p->found.refused, &terms);
     fprintf(out,

@@ -43,6 +43,9 @@ enum {
     WORLD = 3 * POINTER,
     WORLD_BYTES = 4,
     COPIED = 88, MADE = 40,             /* code of NAME_world_init */
+    FRAME = sizeof(tp_baked_frame) - 4 * sizeof(void *) + 4 * POINTER,
+    SCRATCH_BYTES = 4,
+    FRAME_CODE = 48,                    /* of NAME_frame_bytes and NAME_frame_init */
     PROGRAM = sizeof(tp_program) / sizeof(void *) * POINTER,
     USE = sizeof(tp_use) / sizeof(void *) * POINTER,
     LACK = 3 * POINTER,
@@ -60,15 +63,16 @@ static size_t refused_bytes(const component_set *refused)
     return sum ? sum + LACK : 0;
 }
 
-/* Returns the bytes of a list's own tables: of modules, and of the stages of each. */
+/* Returns the bytes of a list's own tables: of modules, and of the stages of each; and of its
+ * frame. */
 static size_t list_bytes(const component_set *of)
 {
-    size_t sum = CONFIG + POINTER + PROGRAM + USE;
+    size_t sum = CONFIG + POINTER + PROGRAM + USE + FRAME + SCRATCH_BYTES, modules = 0;
 
     for (size_t i = 0; i < component_count; i++) {
         size_t stages = 0;
         if (components[i].kind == COMPONENT_MODULE && of->has[i])
-            sum += USE;
+            sum += USE, modules++;
         if (components[i].kind != COMPONENT_DRAWING || !of->has[i])
             continue;
         for (size_t k = i + 1;
@@ -76,7 +80,7 @@ static size_t list_bytes(const component_set *of)
             stages++;
         sum += (stages ? stages : 1) * POINTER;
     }
-    return sum;
+    return sum + (modules + POINTER - 1) / POINTER * POINTER;   /* their stencil values */
 }
 
 static void add_assets(program_memory *m, const bake *b, const tp_assets *names)
@@ -99,6 +103,7 @@ static void add_tables_and_world(program_memory *m, const bake_program *program,
     m->scene += b->coastal_words * sizeof *b->coastal;
     const bool copied = bake_world_is_copied(program, names);
     m->scene += WORLD_BYTES + (copied ? WORLD + m->world : 0);
+    m->code += FRAME_CODE;
     m->code += copied ? COPIED : MADE;
 }
 
