@@ -290,6 +290,14 @@ static inline void tp_frame_allow_outlines(const tp_frame *frame, tp_gbuffer *ti
         tile->outline_shift = tp_outline_shift(frame->shade.focal);
 }
 
+/* Sets the shares of the exact law of Fresnel for stages that reflect light; a module that
+ * follows another law has set its own. */
+static inline void tp_frame_use_fresnel(tp_frame *frame)
+{
+    if (!frame->shade.fresnel)
+        frame->shade.fresnel = tp_fresnel_table;
+}
+
 /* shader_list.c: builds the shader lists for the scene, and their numbers. */
 void tp_frame_set_up_shading(tp_frame *frame);
 

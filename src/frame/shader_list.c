@@ -314,7 +314,7 @@ void tp_frame_set_up_shading(tp_frame *frame)
         scene->water.rough && tp_surface_has_swells(&frame->surface)
             ? tp_frame_filtered_waves(frame) : NULL;
     shade->ripple = NULL;
-    shade->fresnel = tp_fresnel_table;
+    shade->fresnel = NULL;
     set_sky_gradient(frame);
     shade->env = (tp_env){ 0 };
     frame->tone_map = NULL;

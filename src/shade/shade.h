@@ -228,7 +228,8 @@ typedef struct tp_shade {
 
     const tp_entry16 *shine;    /* TP_SHINE + 1: 256 at 1, times the specular; or NULL */
     int32_t  dark;              /* number of its first entries that are 0; fewer is safe */
-    const tp_entry8 *fresnel;   /* reflected share at N.V = i / 256 */
+    const tp_entry8 *fresnel;   /* reflected share at N.V = i / 256; NULL: no stage of this
+                                 * picture reads it */
     const uint32_t *sky;        /* TP_SKY + 1: the gradient */
     tp_env   env;               /* sky beyond the gradient */
     const struct tp_quick_light *quick; /* fast lighting alone */

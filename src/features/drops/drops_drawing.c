@@ -263,6 +263,7 @@ static void begin_drop_material(tp_frame *frame, void *mine)
 {
     drawn_drops *d = mine;
 
+    tp_frame_use_fresnel(frame);
     d->look = (tp_solid){ .diffuse = (uint32_t)frame->scene->drops.colour,
                           .specular = 0xffffff, .gloss = tp_drop_gloss };
 }

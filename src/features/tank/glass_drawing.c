@@ -237,6 +237,7 @@ static void begin_glass_panes(tp_frame *frame, void *mine)
 {
     tp_glass *glass = mine;
 
+    tp_frame_use_fresnel(frame);
     glass->colour = (uint32_t)frame->scene->tank.glass_colour;
     glass->share = (uint32_t)frame->scene->tank.glass >> 8;
     glass->walls = 0;

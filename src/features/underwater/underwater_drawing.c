@@ -142,6 +142,7 @@ static void begin_underwater(tp_frame *frame, void *mine)
     set_sun(&frame->shade, in);
     tp_underwater_set_view(in, &frame->shade, frame->projection.zi_near);
     set_walls_and_floor(frame, in);
+    tp_frame_use_fresnel(frame);
     count_lacking_parts(frame, in);
 }
 

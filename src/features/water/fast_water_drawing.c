@@ -99,6 +99,7 @@ static void begin_fast_water(tp_frame *frame, void *mine)
         + (frame->shade.env.kind == TP_ENV_CUBE && fast->own
            && !frame->program->draw.cube_map);
     const bool ripples = bends_normals(frame, &fast->layers);
+    tp_frame_use_fresnel(frame);
     frame->shade.quick = &fast->light;
     fast->light.lit = tp_frame_has_module(frame, TP_MODULE_CLEAR);
     fast->light.levels =

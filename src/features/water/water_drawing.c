@@ -250,8 +250,8 @@ const tp_drawing tp_diffuse_drawing = { .stages = add_diffuse };
 static void begin_reflectance(tp_frame *frame, void *mine)
 {
     (void)mine;
-    if (frame->scene->water.fresnel == TP_FRESNEL_SCHLICK)
-        frame->shade.fresnel = tp_schlick_table;
+    frame->shade.fresnel = frame->scene->water.fresnel == TP_FRESNEL_SCHLICK
+                               ? tp_schlick_table : tp_fresnel_table;
 }
 
 /* Adds separate stages for reflection and mixing.  If the program lacks the sky's stage,
