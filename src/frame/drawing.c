@@ -14,13 +14,11 @@
 
 /* -- enabled modules ----------------------------------------------------------------- */
 
-/* True if module i has its memory.  A module that was off at init has none and is not
- * drawn if it is on now, unless it needs neither memory nor stencil values. */
-static bool module_has_needed_memory(const tp_frame *frame, uint32_t i)
+/* True if a module that was off at init can be drawn: it needs neither memory nor stencil
+ * values. */
+static bool needs_no_memory(const tp_drawing *drawing)
 {
-    const tp_drawing *drawing = frame->program->modules[i].drawing;
-
-    return frame->buffers.laid >> i & 1 || (drawing && !drawing->layout && !drawing->marks);
+    return drawing && !drawing->layout && !drawing->marks;
 }
 
 void tp_frame_enable_modules(tp_frame *frame)
@@ -28,16 +26,17 @@ void tp_frame_enable_modules(tp_frame *frame)
     tp_module_conditions conditions = tp_frame_module_conditions(
         frame->program, &frame->buffers, frame->scene, &frame->assets, &frame->config);
 
-    frame->modules_on = 0;
+    uint64_t laid = frame->buffers.laid, bit = 1, on = 0;
     frame->outlined = 0;
     const tp_use *use = frame->program->modules;
-    for (uint32_t i = 0; use && use[i].module; i++)
-        if (module_has_needed_memory(frame, i)
+    for (uint32_t i = 0; use && use[i].module; i++, laid >>= 1, bit <<= 1)
+        if ((laid & 1 || needs_no_memory(use[i].drawing))
             && tp_module_ask_condition(use[i].module, &conditions)) {
-            frame->modules_on |= (uint64_t)1 << i;
+            on |= bit;
             if (use[i].drawing && use[i].drawing->outlining)
                 frame->outlined = (uint8_t)(i + 1);
         }
+    frame->modules_on = on;
 }
 
 void *tp_frame_module_memory(const tp_frame *frame, uint32_t id)

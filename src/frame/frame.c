@@ -196,11 +196,11 @@ size_t tp_frame_direct_scratch_bytes(const tp_config *config, const tp_scene *sc
 static void find_modules(tp_found_frame *to, tp_module_conditions conditions)
 {
     tp_baked_frame *f = &to->frame;
+    uint64_t bit = 1;
     tp_marks marks;
 
     tp_marks_init(&marks);
-    for (const tp_use *u = to->config.program->modules; u && u->module; u++) {
-        const uint64_t bit = (uint64_t)1 << f->modules;
+    for (const tp_use *u = to->config.program->modules; u && u->module; u++, bit <<= 1) {
         const bool on = tp_module_ask_condition(u->module, &conditions);
         const bool draws = on && u->drawing, marked = draws && u->drawing->marks;
         const uint32_t first = marked ? tp_marks_reserve_stencil_values(
@@ -218,10 +218,9 @@ static void find_modules(tp_found_frame *to, tp_module_conditions conditions)
     f->lists = marks.lists;
 }
 
-static void find_rungs(tp_baked_frame *to, const tp_config *c, const tp_scene *scene)
+static void find_rungs(tp_baked_frame *to, const tp_config *c, const tp_scene *scene,
+                       tp_rungs named)
 {
-    const tp_rungs named = tp_frame_named_rungs(scene);
-
     to->visibility = (uint8_t)named.visibility;
     to->shading = (uint8_t)named.shading;
     to->rate = (uint8_t)named.rate;
@@ -239,10 +238,9 @@ static void find(tp_found_frame *to, const tp_scene *scene)
 
     *f = (tp_baked_frame){ .config = c, .scene = scene, .assets = &to->assets,
                            .stencil = to->stencil };
-    find_rungs(f, c, scene);
-    const tp_frame_buffers buffers = {
-        .rung_mask = tp_frame_rung_mask(tp_frame_named_rungs(scene))
-    };
+    const tp_rungs named = tp_frame_named_rungs(scene);
+    const tp_frame_buffers buffers = { .rung_mask = tp_frame_rung_mask(named) };
+    find_rungs(f, c, scene, named);
     const tp_module_conditions conditions =
         tp_frame_module_conditions(program, &buffers, scene, &to->assets, c);
     find_modules(to, conditions);
