@@ -70,8 +70,8 @@ sizes()
         sed 's/ rgb8888/ xrgb8888/' >"$scratch/rows"
     [ "$(wc -l <"$scratch/rows")" -ge 6 ] || return 1
     while read -r width height format rows vertices bytes; do
-        [ "$("$scratch/sizes" "$width" "$height" "$format" "$rows" "$vertices")" = \
-            "$(echo "$bytes" | tr -d ,)" ] || { echo "$width $bytes"; return 1; }
+        is "$width $rows $vertices $("$scratch/sizes" "$width" "$height" "$format" "$rows" \
+            "$vertices")" "$width $rows $vertices $(echo "$bytes" | tr -d ,)" || return 1
     done <"$scratch/rows"
 }
 check "include/tidepool/README.md gives the measured bytes" sizes
