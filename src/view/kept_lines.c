@@ -8,12 +8,16 @@ static tp_kept_lines *open_lines(void *memory, size_t bytes, const tp_kept_lines
 {
     tp_kept_lines *kept = memory;
 
-    TP_ASSERT(wanted->picture > 0 && wanted->line_bytes % sizeof(uint32_t) == 0);
+    TP_ASSERT(wanted->frame != 0 && wanted->line_bytes % sizeof(uint32_t) == 0);
     if (bytes < tp_kept_lines_bytes(2, wanted->line_bytes))
         return NULL;
     if (!first_tile && kept->frame == wanted->frame && kept->picture == wanted->picture
-        && kept->strip == wanted->strip)
+        && kept->strip == wanted->strip) {
+        TP_ASSERT(kept->line_bytes == wanted->line_bytes);
+        TP_ASSERT(sizeof *kept + kept->count * (sizeof *kept->number + kept->line_bytes)
+                  <= bytes);
         return kept;
+    }
     *kept = *wanted;
     kept->count = (uint32_t)(bytes - sizeof *kept)
                 / (uint32_t)(sizeof *kept->number + wanted->line_bytes);

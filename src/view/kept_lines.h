@@ -14,7 +14,7 @@
 /* The head of the lines in a scratch; the numbers of the lines follow, then the lines. */
 typedef struct {
     uint64_t frame;             /* the frame's address, */
-    uint32_t picture;           /* its picture, counted from 1, */
+    uint32_t picture;           /* its picture, */
     uint32_t strip;             /* and the first column of the strip that the lines belong to */
     uint32_t count;             /* slots */
     uint32_t line_bytes;
