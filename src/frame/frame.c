@@ -138,10 +138,9 @@ static size_t window_bytes(const tp_program *program, const tp_scene *scene)
 static uint32_t kept_bytes(const tp_program *program, const tp_scene *scene,
                            const tp_config *config)
 {
-    const bool walks =
-        scene->quality.visibility == TP_VISIBILITY_WALK && program->method.walk;
-    const struct tp_water_renderer *by =
-        walks ? program->method.walk : program->method.triangles;
+    const struct tp_water_renderer *by = tp_frame_asks_walk(program, scene)
+                                             ? program->method.walk
+                                             : program->method.triangles;
 
     if (!config->kept_bytes || !program->draw.kept_lines || !by || !by->most_kept_bytes)
         return 0;

@@ -35,6 +35,12 @@ static inline bool tp_frame_asks_fast_rows(const tp_program *program, const tp_s
            && program->method.lines;
 }
 
+/* True if the scene asks for walked water and the program has it. */
+static inline bool tp_frame_asks_walk(const tp_program *program, const tp_scene *scene)
+{
+    return program->method.walk && scene->quality.visibility == TP_VISIBILITY_WALK;
+}
+
 /* Returns the width of the columns of walked water, and of pairs of columns, log2 of 28.4
  * px.  Pairs need a picture of even width. */
 static inline uint8_t tp_frame_pair_bits(const tp_config *config)
@@ -46,12 +52,9 @@ static inline uint8_t tp_frame_pair_bits(const tp_config *config)
 static inline size_t tp_renderer_tile_bytes(const tp_program *program, const tp_scene *scene,
                                             const tp_config *config)
 {
-    const bool walks =
-        program->method.walk && scene->quality.visibility == TP_VISIBILITY_WALK;
-
     if (tp_frame_asks_fast_rows(program, scene))
         return tp_fast_rows_bytes(config->tile_width, 4);
-    if (walks)
+    if (tp_frame_asks_walk(program, scene))
         return tp_fast_rows_bytes(config->tile_width, tp_frame_pair_bits(config));
     return program->method.rows || program->method.projected
                ? sizeof(tp_row_column) * config->tile_width : 0;
