@@ -139,9 +139,19 @@ hints()         # what saves RAM, and what free RAM is good for
         grep -q "^too much RAM: --stream, --band and --strip save some" &&
         "$program" plan count-64 --board stm32f405 --strip 64 --kept 4k >"$scratch/said" &&
         grep -q "; tiles of 64x16$" "$scratch/said" &&
-        grep -q "^[0-9]* KB stay free: with --kept" "$scratch/said"
+        grep -q "^[0-9]* KB stay free: with --kept of more bytes" "$scratch/said" &&
+        grep -q "^a picture is counted without the lines that are computed again$" \
+            "$scratch/said"
 }
 check "a plan names what saves RAM, and what free RAM is good for" hints
+not_counted()   # instructions of lines that are computed again
+{
+    "$program" plan count-64 --stream >"$scratch/said" &&
+        grep -q "^and without the lines that --stream and --kept compute again.$" \
+            "$scratch/said" &&
+        ! "$program" plan count-64 | grep -q "compute again"
+}
+check "a plan of streamed water says what it does not count" not_counted
 no_step()
 {
     "$program" render minimal --step 39 --size $size --out "$scratch/no.png" \

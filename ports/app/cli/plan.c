@@ -100,7 +100,7 @@ static void print_kinds(const plan *p)
     }
 }
 
-static void print_total(const plan *p)
+static void print_total(const plan *p, const options *o)
 {
     const tp_set_price price = p->sheet.plan.price;
     const double cost = (double)price.cost, water = p->sheet.view.water;
@@ -110,8 +110,10 @@ static void print_total(const plan *p)
            millions(cost), water > 0 ? cost / water : 0, plan_error(price),
            cost > 0 ? (double)SPEED / cost : 0, MHZ);
     program_memory_print(&p->memory, stdout, "");
-    puts("Instructions: one frame on a Cortex-M4 at the scene's start, without ticks."
-         "\nErrors: rms beyond the exact picture, kept by 95 of 100 views; see --ladder.");
+    printf("Instructions: one frame on a Cortex-M4 at the scene's start, without %s.\n",
+           o->stream ? "ticks,\nand without the lines that --stream and --kept compute again"
+                     : "ticks");
+    puts("Errors: rms beyond the exact picture, kept by 95 of 100 views; see --ladder.");
 }
 
 /* Prints settings in a line; of a group of rows only the first has the group's name. */
@@ -195,7 +197,7 @@ static int run(const options *o)
         } else if (!code) {
             print_head(&p, o);
             print_kinds(&p);
-            print_total(&p);
+            print_total(&p, o);
             print_world(&p.world);
             print_ram(&p.ram);
         }

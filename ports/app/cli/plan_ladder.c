@@ -126,8 +126,10 @@ static void print_memory(const plan_board *b, const options *o, const ladder_ste
     if (step->ram > b->ram)
         printf("too much RAM: %s--band and --strip save some\n", o->stream ? "" : "--stream, ");
     else if (o->stream && b->ram - step->ram >= 2048)
-        printf("%zu KB stay free: with --kept fewer lines are computed again\n",
-               (b->ram - step->ram) / 1024);
+        printf("%zu KB stay free: with --kept%s fewer lines are computed again\n",
+               (b->ram - step->ram) / 1024, o->kept ? " of more bytes" : "");
+    if (o->stream)
+        puts("a picture is counted without the lines that are computed again");
     if (step->flash > b->flash)
         puts("too much flash: --texels of bake saves some");
 }
