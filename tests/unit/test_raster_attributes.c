@@ -338,8 +338,6 @@ static void solids_carry_normal_texture_and_face(void **state)
 
 /* -- any input ----------------------------------------------------------------------- */
 
-/* Any corners within the guard band: defined behaviour, as UBSan sees it, and no access
- * outside the tile, as ASan sees it. */
 /* Triangles as thin as they can be without being slivers have the smallest exponents. */
 static void planes_have_room_for_their_bits(void **state)
 {
@@ -366,6 +364,8 @@ static void planes_have_room_for_their_bits(void **state)
     tile_free(&tile);
 }
 
+/* Any corners within the guard band: defined behaviour, as UBSan sees it, and no access
+ * outside the tile, as ASan sees it. */
 static void any_corners_are_safe(void **state)
 {
     (void)state;
