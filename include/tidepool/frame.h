@@ -210,9 +210,8 @@ extern const struct tp_frame_maker tp_frame_maker;
 void tp_frame_begin(tp_frame *frame, const tp_world *world);
 
 /* Draws tile i, counted from left to right and from top to bottom, or strip by strip with
- * kept_bytes.  tile->pixels points
- * into `scratch`: tp_frame_scratch_bytes(), aligned to 8.  Returns false if no tile i
- * exists, or if the scratch is NULL or not aligned. */
+ * kept_bytes.  tile->pixels points into `scratch`: tp_frame_scratch_bytes(), aligned to 8.
+ * Returns false if no tile i exists, or if the scratch is NULL or not aligned. */
 bool tp_frame_draw_tile(const tp_frame *frame, uint32_t i, void *scratch, tp_tile *tile);
 
 /* Draws tile i directly into a whole picture, such as a frame buffer: row y begins at
