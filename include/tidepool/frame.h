@@ -112,10 +112,11 @@ typedef struct {
  * kept_bytes tiles are counted strip by strip, each from top to bottom, and a scratch keeps
  * lines of its strip for the tiles below; with enough bytes each line is computed once a
  * strip.  Any number draws the same bits, and so does any order of tiles; the order of their
- * count is the cheapest.  Nothing else may write into the scratch between two tiles.  A
- * scratch that does not begin with tile 0, as that of a second thread, must be zero before
- * its first tile of a frame.  The program needs the part kept_lines (TP_DRAW_LIST); a program
- * that stores its lines, or lacks the part, keeps none and takes none of the bytes. */
+ * count is the cheapest.  Between two tiles an application may change a tile's pixels, and
+ * nothing else of the scratch.  A scratch that does not begin with tile 0, as that of a
+ * second thread, must be zero when the frame is made.  The program needs the part kept_lines
+ * (TP_DRAW_LIST); a program that stores its lines, or lacks the part, keeps none and takes
+ * none of the bytes. */
 
 /* Checks a config as tp_frame_init does; the scene is not checked.  *filled, if not NULL,
  * receives the config with the tile size in use.
