@@ -143,13 +143,15 @@ tp_grid_window tp_frame_grid_window(const tp_frame *frame, const tp_gbuffer *til
     return window;
 }
 
+/* A grid with the most rows has few columns: its rows together have no more vertices than
+ * the scene's budget. */
 static size_t most_kept_bytes(const tp_scene *scene, const tp_config *config)
 {
     const uint32_t vertices = tp_fan_budget(scene);
 
     (void)config;
-    return tp_kept_lines_bytes(tp_fan_most_rows(vertices),
-                               tp_grid_kept_row_bytes(tp_fan_most_cols(vertices)));
+    return tp_kept_lines_bytes(tp_fan_most_rows(vertices), tp_grid_kept_row_bytes(0))
+           + vertices * sizeof(tp_grid_vertex);
 }
 
 static void draw_water(const tp_frame *frame, tp_gbuffer *tile, void *memory)
