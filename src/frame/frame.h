@@ -233,6 +233,12 @@ static inline bool tp_frame_has_tank(const tp_frame *frame)
     return tp_has_tank(frame->scene) && tp_frame_has_module(frame, TP_MODULE_WALLS);
 }
 
+/* Returns the index, in words, of a tile's first sample in the scratch. */
+static inline size_t tp_frame_first_sample(const tp_frame *frame)
+{
+    return frame->kept_bytes / sizeof(uint32_t);
+}
+
 /* tile.c: returns the lines that the tile's strip keeps, for lines of so many bytes; NULL:
  * none.  They lie first in the scratch, before the tile's samples. */
 tp_kept_lines *tp_frame_kept_lines(const tp_frame *frame, const tp_gbuffer *tile,

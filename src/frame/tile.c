@@ -12,16 +12,11 @@ static size_t plane_size(const tp_frame *frame)
     return (size_t)c->tile_width * (c->tile_height + frame->extra_rows);
 }
 
-static uint32_t *sample_planes(const tp_frame *frame, void *scratch)
-{
-    return (uint32_t *)scratch + frame->kept_bytes / sizeof(uint32_t);
-}
-
 static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, tp_tile *tile)
 {
     const tp_line_bounds rows = tp_frame_line_bounds(frame, tile);
     const size_t plane = plane_size(frame);
-    uint32_t *at = sample_planes(frame, scratch);
+    uint32_t *at = (uint32_t *)scratch + tp_frame_first_sample(frame);
     tp_gbuffer samples = {
         (int32_t)tile->x0, rows.y0, (int32_t)tile->x1, rows.y1, frame->config.tile_width,
         at, at + plane, at + 2 * plane, at + 3 * plane, false, 0, NULL, 0, 0,
@@ -35,7 +30,8 @@ static tp_gbuffer make_samples(const tp_frame *frame, void *scratch, tp_tile *ti
 
 static void *scratch_pixels(const tp_frame *frame, void *scratch)
 {
-    return sample_planes(frame, scratch) + (frame->outlined ? 8 : 4) * plane_size(frame);
+    return (uint32_t *)scratch + tp_frame_first_sample(frame)
+           + (frame->outlined ? 8 : 4) * plane_size(frame);
 }
 
 tp_kept_lines *tp_frame_kept_lines(const tp_frame *frame, const tp_gbuffer *tile,
@@ -43,7 +39,7 @@ tp_kept_lines *tp_frame_kept_lines(const tp_frame *frame, const tp_gbuffer *tile
 {
     const tp_kept_lines wanted = { (uintptr_t)frame, frame->picture, (uint32_t)tile->x0, 0,
                                    line_bytes };
-    void *first = (uint8_t *)tile->key - frame->kept_bytes;
+    void *first = tile->key - tp_frame_first_sample(frame);
 
     return frame->kept_bytes ? frame->program->draw.kept_lines->open(
                                    first, frame->kept_bytes, &wanted, tile->y0 <= 0)

@@ -14,9 +14,8 @@ static const uint32_t *tile_keys(const tp_frame *frame, const void *scratch,
                                  const tp_tile *tile, uint32_t y)
 {
     const uint32_t row = y - (uint32_t)tp_frame_line_bounds(frame, tile).y0;
-    const uint32_t *planes =
-        (const uint32_t *)scratch + frame->kept_bytes / sizeof(uint32_t);
-    return planes + (size_t)row * frame->config.tile_width;
+    return (const uint32_t *)scratch + tp_frame_first_sample(frame)
+           + (size_t)row * frame->config.tile_width;
 }
 
 uint32_t tp_frame_water_pixels(const tp_frame *frame, const void *scratch,

@@ -86,8 +86,10 @@ int main(void)
     void *block = claim(&arena, bytes);
     tp_error err;
 
-    for (int core = 0; core < CORES; core++)
+    for (int core = 0; core < CORES; core++) {
         scratch[core] = claim(&arena, baked_scratch_bytes);
+        memset(scratch[core], 0, baked_scratch_bytes);
+    }
     if (baked_frame_init(&frame, block, bytes, &err)
         || tp_world_init(&baked_program, world, world_bytes, &baked_scene, &baked_assets,
                          &err))
