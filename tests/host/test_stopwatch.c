@@ -88,6 +88,17 @@ static void every_scene_has_the_same_bits_timed(void **state)
     path_free_names(names, count);
 }
 
+/* Draws a picture, timed: its stages take no longer than it does. */
+static bool shading_takes_over_an_eighth(loaded_scene *s)
+{
+    stopwatch_zero();
+    const uint64_t begin = now_us();
+    crc_of(s, true);
+    const uint64_t most = 1000 * (now_us() - begin + 1);
+    assert_true(sum_ns() < most + most / 50);   /* measured by two clocks */
+    return sum_ns() > most / 8;
+}
+
 static void what_is_timed_is_what_is_drawn(void **state)
 {
     loaded_scene s;
@@ -99,15 +110,13 @@ static void what_is_timed_is_what_is_drawn(void **state)
     assert_int_equal(sum_ns(), 0);              /* none while off */
 
     crc_of(&s, true);
-    stopwatch_zero();
-    const uint64_t begin = now_us();
-    crc_of(&s, true);
-    const uint64_t most = 1000 * (now_us() - begin + 1);
+    bool over = false;          /* another process may stop a picture between two stages */
+    for (int tries = 0; tries < 5 && !over; tries++)
+        over = shading_takes_over_an_eighth(&s);
+    assert_true(over);
     assert_true(stopwatch_ns(place_of("sky_cube_hdr")) > 0);
     assert_int_equal(stopwatch_ns(place_of("spray")), 0);       /* the scene has no spray */
     assert_int_equal(stopwatch_ns(stopwatch_stages), 0);
-    assert_true(sum_ns() < most + most / 50);   /* measured by two clocks */
-    assert_true(sum_ns() > most / 8);           /* shading takes over 1/8 */
     loaded_scene_close(&s);
 }
 
