@@ -122,9 +122,9 @@ void tp_line_load(const tp_frame *frame, tp_grid_window *window, uint32_t k,
 {
     const tp_grid_span points = tp_line_points(frame, k);
 
-    TP_ASSERT(segments.first >= points.first || segments.first >= segments.end);
     if (whole)
         segments = tp_line_segments(points, points.first, points.end);
+    TP_ASSERT(segments.first >= points.first || segments.first >= segments.end);
     if (segments.first < segments.end)
         tp_grid_window_load(frame->buffers.grid, window, k, segments.first,
                             segments.end + 1u);

@@ -62,7 +62,7 @@ for with in TFT_ESPI LOVYANGFX; do
                 draws "$scratch/tft" "${size%x*}" "${size#*x}" 31
         done
         check "$on the serial port tells what does not fit" says \
-            "sea: out of memory: 96808 bytes needed, 90112 available" 480 320
+            "sea: out of memory: 96832 bytes needed, 90112 available" 480 320
         check "$on and of a panel that is too small" says \
             "sea: picture of 8 x 8 pixels; 16 x 16 to 4096 x 4096 can be drawn" 8 8
     done
