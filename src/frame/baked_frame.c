@@ -47,7 +47,7 @@ static tp_rungs known_rungs(const tp_baked_frame *known)
 
 /* Lays out the memory of the water renderers that may draw: triangles, and the named one. */
 static void allocate_renderers(tp_frame_buffers *b, tp_arena *arena,
-                             const tp_baked_frame *known)
+                               const tp_baked_frame *known)
 {
     const tp_program *program = known->config->program;
 
@@ -67,7 +67,7 @@ static void allocate_renderers(tp_frame_buffers *b, tp_arena *arena,
 
 /* Lays out the memory of all modules that are on, and all shader lists. */
 static void allocate_modules(tp_frame_buffers *b, tp_arena *arena,
-                           const tp_baked_frame *known)
+                             const tp_baked_frame *known)
 {
     const tp_program *program = known->config->program;
     const size_t begin = arena->used;
@@ -99,7 +99,7 @@ static void allocate_modules(tp_frame_buffers *b, tp_arena *arena,
 /* Allocates the frame's block, the frame itself first.  Called with a counting arena, then
  * with the block; *b and *ram are zeroed. */
 static void allocate_block(tp_frame_buffers *b, tp_ram_use *ram, tp_arena *arena,
-                         const tp_baked_frame *known)
+                           const tp_baked_frame *known)
 {
     tp_arena_alloc(arena, 1, sizeof(tp_frame));
     const size_t fixed = arena->used;

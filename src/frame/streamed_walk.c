@@ -11,21 +11,17 @@ typedef struct {
     tp_even_point point[];      /* of the strip's columns */
 } kept_line;
 
-static uint32_t count_points(int32_t width)
+static uint32_t kept_line_bytes(int32_t width)
 {
-    return ((uint32_t)width + TP_WALK_CELL - 1) / TP_WALK_CELL + 1;
-}
-
-static uint32_t kept_bytes(int32_t width)
-{
-    return (uint32_t)(sizeof(kept_line) + count_points(width) * sizeof(tp_even_point));
+    return (uint32_t)(sizeof(kept_line)
+                      + tp_walk_count_points((uint32_t)width) * sizeof(tp_even_point));
 }
 
 static size_t most_kept_bytes(const tp_scene *scene, const tp_config *config)
 {
     (void)scene;
     return tp_kept_lines_bytes(tp_walk_most_lines(config->height),
-                               kept_bytes((int32_t)config->tile_width));
+                               kept_line_bytes((int32_t)config->tile_width));
 }
 
 static void layout_streamed(tp_frame_buffers *buffers, tp_arena *arena,
@@ -61,7 +57,7 @@ static void begin_tile(tile_walk *w, const tp_frame *frame, const tp_gbuffer *ti
     w->first = tile->x0 / TP_WALK_CELL;
     w->end = (tile->x1 + TP_WALK_CELL - 1) / TP_WALK_CELL;
     TP_ASSERT(w->first * TP_WALK_CELL == tile->x0);
-    w->kept = tp_frame_kept_lines(frame, tile, kept_bytes(tile->x1 - tile->x0));
+    w->kept = tp_frame_kept_lines(frame, tile, kept_line_bytes(tile->x1 - tile->x0));
     tp_fast_rows_begin(&w->rows, tile, memory, frame->column_bits, keyed);
 }
 

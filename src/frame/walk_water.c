@@ -23,7 +23,7 @@ struct tp_walk *tp_walk_allocate(tp_arena *arena, const tp_config *config, size_
                                  void **points)
 {
     const uint32_t lines = tp_walk_most_lines(config->height);
-    const uint32_t cols = (config->width + TP_WALK_CELL - 1) / TP_WALK_CELL + 1;
+    const uint32_t cols = tp_walk_count_points(config->width);
     struct tp_walk *to = tp_arena_alloc(arena, 1, sizeof *to);
 
     if (to)

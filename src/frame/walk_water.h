@@ -8,6 +8,12 @@
 
 enum { TP_WALK_CELL = 16 };        /* px from point to point of a line */
 
+/* Returns the points of a line across so many pixels. */
+static inline uint32_t tp_walk_count_points(uint32_t width)
+{
+    return (width + TP_WALK_CELL - 1) / TP_WALK_CELL + 1;
+}
+
 /* A line of points at columns 0, 16, ... of pixels. */
 typedef struct {
     tp_line_scale scale;        /* half_s, half_t: half a pixel along the line */

@@ -35,7 +35,7 @@ TP_ALWAYS_INLINE int32_t max_int32(int32_t a, int32_t b)
  * Each factor has an error of 2^-27 of the largest factor, so at the other end of the
  * triangle a value has an error of up to 5 x 2^-27 of its range times length / thickness.
  * Slivers thinner than 1/65536 of their length take all values from their upper vertex:
- * an extrapolated depth could put a sliver in front of everything.  Their factors are 0. */
+ * an extrapolated depth could put a sliver in front of everything.  Factors of slivers are 0. */
 TP_ALWAYS_INLINE void set_gradient_factors(tp_tri *tri, int64_t area)
 {
     const tp_screen_vertex *a = tri->a, *b = tri->b, *c = tri->c;
