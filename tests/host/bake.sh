@@ -136,6 +136,23 @@ same "unless nobody asks for it" "$code $(grep -c 'uses it' err)" "0 0"
 same "RAM and flash are told, the sums of the head" \
     "$(sed 's/.*: \([0-9]*\) bytes of RAM, \([0-9]*\) of flash.*/\1 \2/' err)" \
     "$(awk '$2 == "RAM" || $2 == "flash" { print $NF }' i.c | paste -sd ' ' -)"
+draws()         # PART FILE.c: how often the list names a part of drawing
+{
+    grep -c "^        \.$1 = &tp_draw_$1,$" "$2"
+}
+for options in "count-64 --no-input" "count-64" "lava --no-input"; do
+    # shellcheck disable=SC2086
+    run bake $options -o i.c --size 320x240 --texels 8
+    draws exact_triangles i.c
+done >triangles
+same "triangles are left out where no row is cut, from no camera" \
+    "$(paste -sd ' ' triangles)" "0 1 1"
+run bake count-64 -o i.c --size 320x240 --no-input --texels 8 --kept 2k
+same "lines are kept by a program that streams" \
+    "$(draws kept_lines i.c) $(grep -o '\.kept_bytes = 2048' i.c | wc -l)" "1 2"
+run bake minimal -o i.c --size 320x240 --no-input --texels 8 --kept 2k
+same "and take nothing of one without lines" \
+    "$(draws kept_lines i.c) $(grep -o ', \.kept_bytes = 0,' i.c | wc -l)" "0 1"
 run bake minimal -o i.c --format i1 --no-input --with foam
 same "a scene that may change is checked, and has room for its waves" \
     "$(grep -c 'check = tp_scene_check\|swells = &tp_water_swells' i.c)" 2
